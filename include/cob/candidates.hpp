@@ -1,0 +1,37 @@
+/// \file
+/// The narrow interface between trees and predicates: a source names pieces or polygons that may matter; it may
+/// name too many, never too few. Answers do not depend on the source.
+#pragma once
+
+#include "cob/scene.hpp"
+
+#include <array>
+#include <memory>
+
+namespace cob {
+
+/// A source of candidates over one scene; thread-safe after construction.
+class CandidateSource {
+public:
+    virtual ~CandidateSource() = default;
+
+    /// Type-erased callback without allocation: a function and its context.
+    struct Callback {
+        void* context;
+        bool (*call)(void* context, std::int32_t id);  ///< True: go on; false: stop.
+    };
+
+    /// Polygons (valid ones) whose bounds meet the closed bounds, each once.
+    virtual void polygons_in(const std::array<double, 6>& bounds, Callback callback) const = 0;
+    /// Pieces whose bounds may meet a segment whose exact ends lie within half an ulp of these points.
+    virtual void pieces_along(const Point& from, const Point& to, Callback callback) const = 0;
+    /// Bytes held beside the scene.
+    virtual std::size_t memory() const = 0;
+};
+
+enum class Source : std::uint8_t { all, cgal, embree };
+
+/// Throws InputError for Source::embree where it was built without.
+std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source source);
+
+}  // namespace cob

@@ -1,0 +1,38 @@
+/// \file
+/// Output files that are written whole or not at all, and whole text files as input.
+#pragma once
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace cob {
+
+/// A file that appears under its name only when commit() succeeds: written beside it under a temporary name, then
+/// renamed. Destroyed without commit(): the temporary is removed. Throws InputError (disk full, read-only, ...).
+class OutputFile {
+public:
+    explicit OutputFile(std::string path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::string_view text);
+    void commit();
+    const std::string& path() const { return path_; }
+
+private:
+    void fail(const char* what);
+    std::string path_, temporary_;
+    std::FILE* file_ = nullptr;
+};
+
+/// Writes one whole file at once.
+void write_file(const std::string& path, std::string_view text);
+/// Creates a folder and its parents; an existing one is fine.
+void create_folder(const std::string& path);
+/// The bytes of a file. Throws InputError where it cannot be read.
+std::string read_file(const std::string& path);
+
+}  // namespace cob

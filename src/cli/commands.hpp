@@ -1,0 +1,12 @@
+/// \file
+/// The commands of the program: each adds itself to the parser and runs when it is chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace cob::cli {
+
+// Each command registers its options and a callback; the callback throws InputError on bad input and CLI::RuntimeError
+// with an exit code where the code is part of its meaning (verify).
+
+}  // namespace cob::cli

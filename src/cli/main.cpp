@@ -1,0 +1,30 @@
+/// \file
+/// The program `cob`: thin commands over the library.
+#include "cli/commands.hpp"
+
+#include "cob/error.hpp"
+
+#include <cstdio>
+#include <exception>
+
+int main(int argc, char** argv) {
+    CLI::App app{"cob: the exact reference for the Close Object Buffer", "cob"};
+    app.require_subcommand(1);
+    app.option_defaults()->always_capture_default();
+    try {
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        const int code = app.exit(error);
+        return code == 0 ? 0 : error.get_name() == "RuntimeError" ? code : 2;
+    } catch (const cob::InputError& error) {
+        std::fprintf(stderr, "cob: %s\n", error.what());
+        return 2;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "cob: out of memory: use a smaller scene, fewer elements or fewer threads\n");
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cob: internal error: %s\n", error.what());
+        return 70;
+    }
+}

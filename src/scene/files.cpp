@@ -1,0 +1,73 @@
+#include "cob/files.hpp"
+
+#include "cob/error.hpp"
+
+#include <unistd.h>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace cob {
+
+OutputFile::OutputFile(std::string path)
+    : path_(std::move(path)), temporary_(path_ + ".tmp" + std::to_string(::getpid())) {
+    file_ = std::fopen(temporary_.c_str(), "wb");
+    if (!file_) fail("cannot create");
+}
+
+OutputFile::~OutputFile() {
+    if (!file_) return;
+    std::fclose(file_);
+    std::remove(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("cannot write");
+}
+
+void OutputFile::commit() {
+    // A full disk may show only when the buffers are flushed, so all of these are checked before the rename.
+    if (std::fflush(file_) != 0 || ::fsync(::fileno(file_)) != 0) fail("cannot write");
+    std::FILE* file = file_;
+    file_ = nullptr;
+    if (std::fclose(file) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot write");
+}
+
+void OutputFile::fail(const char* what) {
+    const std::string reason = std::strerror(errno);
+    if (file_) std::fclose(file_);
+    file_ = nullptr;
+    std::remove(temporary_.c_str());
+    throw InputError(what, {path_, 0, reason, "choose a folder that exists, is writable and has room"});
+}
+
+void write_file(const std::string& path, std::string_view text) {
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+}
+
+void create_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error || !std::filesystem::is_directory(path))
+        throw InputError("cannot create folder", {path, 0, error ? error.message() : "is a file", "choose another"});
+}
+
+std::string read_file(const std::string& path) {
+    std::FILE* file = std::filesystem::is_directory(path) ? nullptr : std::fopen(path.c_str(), "rb");
+    if (!file)
+        throw InputError(
+            "cannot open file",
+            {path, 0, std::filesystem::is_directory(path) ? "is a folder" : std::strerror(errno), "check the path"});
+    std::string text;
+    char block[1 << 16];
+    for (std::size_t n; (n = std::fread(block, 1, sizeof block, file)) > 0;) text.append(block, n);
+    const bool failed = std::ferror(file) != 0;
+    std::fclose(file);
+    if (failed) throw InputError("cannot read file", {path, 0, "", "check the disk"});
+    return text;
+}
+
+}  // namespace cob
