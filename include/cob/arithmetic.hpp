@@ -79,6 +79,12 @@ public:
     ExactPoint() = default;
     ExactPoint(const Point& point) : nearest_(point) {}  // NOLINT: implicit, every binary64 point is exact
     explicit ExactPoint(const RationalPoint& point);
+    /// The sum of two points that are such a pair already: nearest must be the binary64 point nearest to the sum.
+    static ExactPoint from_pair(const Point& nearest, const Point& rest) {
+        ExactPoint point(nearest);
+        point.rest_ = rest;
+        return point;
+    }
 
     /// The binary64 point nearest to it, coordinate by coordinate.
     const Point& nearest() const { return nearest_; }
@@ -107,7 +113,8 @@ std::optional<Rational> parse_exact(std::string_view text);
 
 /// Shortest decimal that reads back to the same binary64 number.
 std::string to_text(double value);
-/// As to_text(double) where the value is a binary64 number, else p/q in lowest terms.
+/// As to_text(double) where the value is a binary64 number, else p/q in lowest terms (also where q is 1: without it
+/// the text would be read as the nearest binary64 number).
 std::string to_text(const Rational& value);
 /// C hex-float, as printf %a.
 std::string to_hex_text(double value);

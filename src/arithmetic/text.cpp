@@ -81,7 +81,8 @@ std::string to_text(double value) {
 
 std::string to_text(const Rational& value) {
     const auto number = to_binary64(value);
-    return number ? to_text(*number) : value.str();
+    if (number) return to_text(*number);
+    return denominator(value) == 1 ? value.str() + "/1" : value.str();
 }
 
 std::string to_hex_text(double value) {

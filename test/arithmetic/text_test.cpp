@@ -87,6 +87,7 @@ TEST(ToText, ReadsBackAndIsShort) {
     EXPECT_EQ(to_text(-0.0), "0");
     EXPECT_EQ(to_text(Rational(1, 3)), "1/3");
     EXPECT_EQ(to_text(Rational(3, 2)), "1.5");
+    EXPECT_EQ(to_text(Rational(9007199254740993)), "9007199254740993/1");  // 2^53 + 1: no binary64 number
     std::mt19937_64 engine(2);
     for (int k = 0; k < 10000; ++k) {
         const double value = from_bits(engine());
