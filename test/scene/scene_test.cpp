@@ -48,8 +48,8 @@ TEST(View, LooksAlongTheLargestComponentOfTheNormal) {
         {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, 2, 1, 0},
         {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0, 1, 2},
         {{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, 1, 2, 0},
-        {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0, 1, 2},     // normal (1, 1, 1): the first such axis
-        {{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}, 1, 0, 2},     // normal (0, -1, 1)
+        {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0, 1, 2},  // normal (1, 1, 1): the first such axis
+        {{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}, 1, 0, 2},  // normal (0, -1, 1)
         {{{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 1e-301}}, 2, 0, 1},
         {{{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 1e300}}, 1, 0, 2},
         {{{0, 0, 0}, {5e-324, 0, 0}, {0, 5e-324, 0}}, 2, 0, 1},
@@ -97,7 +97,8 @@ TEST(Pieces, PlanarityIsExact) {
     const Scene scene = build_one({{0, 0, 1}, {1, 0, 1}, {1, 1, z}, {0, 1, 1}});
     EXPECT_FALSE(scene.polygon(0).planar);
     // The ear at the smallest position is (0, 0, 1).
-    const std::vector<Triangle> expected{{Point{0, 1, 1}, {0, 0, 1}, {1, 0, 1}}, {Point{0, 1, 1}, {1, 0, 1}, {1, 1, z}}};
+    const std::vector<Triangle> expected{{Point{0, 1, 1}, {0, 0, 1}, {1, 0, 1}},
+                                         {Point{1, 1, z}, {0, 1, 1}, {1, 0, 1}}};
     EXPECT_EQ(triangles_of(scene), expected);
 }
 
