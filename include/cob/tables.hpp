@@ -74,6 +74,7 @@ struct StateRow {
     std::vector<PolygonId> close;            ///< None where occluded.
     std::vector<PolygonId> cover;            ///< Those that cover the element.
     std::vector<PolygonId> light;            ///< Close lights that face it.
+    bool decided = true;                     ///< False: `undecided` stands for the state (interval arithmetic).
 };
 
 /// relations.csv: `box,polygon,relation,covers,shared`; ascending by box, then polygon.
@@ -83,12 +84,14 @@ struct RelationRow {
     Relation relation = Relation::crossing;
     bool covers = false;
     Shared shared = Shared::none;
+    bool decided = true;  ///< False: `undecided` stands for the relation (interval arithmetic).
 };
 
 /// visibility.csv: `segment,visibility`.
 struct VisibilityRow {
     RowId segment = 0;
     Visibility visibility = Visibility::clear;
+    bool decided = true;  ///< False: `undecided` stands for the visibility (interval arithmetic).
 };
 
 /// irradiance.csv: `point,light,unobstructed,visible,r,g,b`; ascending by point, then light.
@@ -107,9 +110,10 @@ struct FormFactorRow {
 
 // ---------------------------------------------------------------------------------------- readers and writers
 
+/// How strict to be; a set's own tables are read with the defaults, the answers of a variant under test may be less.
 struct TableReadOptions {
-    /// Refuse rows out of order and doubled ids; false: the caller looks after both (answers under test).
-    bool ordered = true;
+    bool ordered = true;     ///< Refuse rows out of order and doubled ids; false: the caller looks after both.
+    bool undecided = false;  ///< Accept the word `undecided` for a state, relation or visibility.
 };
 
 /// Reads one table. Row is one of the structs above.

@@ -1,6 +1,7 @@
 /// \file
 /// The program `cob`: thin commands over the library.
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 
 #include "cob/error.hpp"
 
@@ -20,6 +21,9 @@ int main(int argc, char** argv) {
     } catch (const cob::InputError& error) {
         std::fprintf(stderr, "cob: %s\n", error.what());
         return 2;
+    } catch (const cob::cli::Interrupted&) {
+        std::fprintf(stderr, "cob: interrupted\n");
+        return 130;
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "cob: out of memory: use a smaller scene, fewer elements or fewer threads\n");
         return 2;

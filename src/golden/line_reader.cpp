@@ -81,6 +81,12 @@ std::string_view Fields::text() {
     return field;
 }
 
+bool Fields::take_undecided() {
+    if (!undecided_ || rest_.substr(0, rest_.find(',')) != "undecided") return false;
+    text();
+    return true;
+}
+
 std::int64_t Fields::integer(std::int64_t least, std::int64_t most) {
     const std::string_view field = text();
     std::int64_t value = 0;

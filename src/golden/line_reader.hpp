@@ -47,8 +47,9 @@ private:
 class Fields {
 public:
     /// header: the column names, for messages and for their number.
-    Fields(const LineReader& reader, std::string_view header, std::string_view line)
-        : reader_(reader), header_(header), line_(line), rest_(line) {}
+    /// undecided: the word is accepted where a row has a place for it.
+    Fields(const LineReader& reader, std::string_view header, std::string_view line, bool undecided = false)
+        : reader_(reader), header_(header), line_(line), rest_(line), undecided_(undecided) {}
 
     std::string_view text();
     std::int64_t id();
@@ -62,6 +63,8 @@ public:
     Rational exact_rational();
     Point point();
     ExactPoint exact_point();
+    /// Takes the word `undecided` where it stands next and is accepted.
+    bool take_undecided();
     bool next_is_empty() const { return rest_.empty() || rest_.front() == ','; }
     /// What is left of the line, not taken.
     std::string_view rest() const { return rest_; }
@@ -80,6 +83,7 @@ private:
     std::string_view header_, line_, rest_;
     int taken_ = 0;
     bool ended_ = false;
+    bool undecided_;
 };
 
 }  // namespace cob

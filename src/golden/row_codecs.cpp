@@ -13,8 +13,8 @@ constexpr std::array<const char*, 3> visibility_names = {"clear", "grazing", "bl
 constexpr std::array<const char*, 2> question_names = {"box", "segment"};
 
 template <class Enum, std::size_t N>
-void append_name(std::string& text, const std::array<const char*, N>& names, Enum value) {
-    text += names[static_cast<std::size_t>(value)];
+void append_name(std::string& text, const std::array<const char*, N>& names, Enum value, bool decided = true) {
+    text += decided ? names[static_cast<std::size_t>(value)] : "undecided";
 }
 
 /// One of the names from the first-th on.
@@ -167,7 +167,8 @@ void RowCodec<TagRow>::append(std::string& text, const TagRow& row) {
 
 void RowCodec<StateRow>::parse(Fields& fields, StateRow& row) {
     row.box = fields.id();
-    row.state = parse_name<BufferState>(fields, state_names, 1);
+    row.decided = !fields.take_undecided();
+    row.state = row.decided ? parse_name<BufferState>(fields, state_names, 1) : BufferState::empty;
     fields.polygons(row.close);
     fields.polygons(row.cover);
     fields.polygons(row.light);
@@ -176,7 +177,7 @@ void RowCodec<StateRow>::parse(Fields& fields, StateRow& row) {
 void RowCodec<StateRow>::append(std::string& text, const StateRow& row) {
     append_integer(text, row.box);
     text += ',';
-    append_name(text, state_names, row.state);
+    append_name(text, state_names, row.state, row.decided);
     for (const auto* list : {&row.close, &row.cover, &row.light}) {
         text += ',';
         append_list(text, *list);
@@ -186,7 +187,8 @@ void RowCodec<StateRow>::append(std::string& text, const StateRow& row) {
 void RowCodec<RelationRow>::parse(Fields& fields, RelationRow& row) {
     row.box = fields.id();
     row.polygon = fields.polygon();
-    row.relation = parse_name<Relation>(fields, relation_names);
+    row.decided = !fields.take_undecided();
+    row.relation = row.decided ? parse_name<Relation>(fields, relation_names) : Relation::disjoint;
     row.covers = fields.flag();
     row.shared = parse_name<Shared>(fields, shared_names);
 }
@@ -196,20 +198,21 @@ void RowCodec<RelationRow>::append(std::string& text, const RelationRow& row) {
     text += ',';
     append_integer(text, row.polygon);
     text += ',';
-    append_name(text, relation_names, row.relation);
+    append_name(text, relation_names, row.relation, row.decided);
     text += row.covers ? ",1," : ",0,";
     append_name(text, shared_names, row.shared);
 }
 
 void RowCodec<VisibilityRow>::parse(Fields& fields, VisibilityRow& row) {
     row.segment = fields.id();
-    row.visibility = parse_name<Visibility>(fields, visibility_names);
+    row.decided = !fields.take_undecided();
+    row.visibility = row.decided ? parse_name<Visibility>(fields, visibility_names) : Visibility::clear;
 }
 
 void RowCodec<VisibilityRow>::append(std::string& text, const VisibilityRow& row) {
     append_integer(text, row.segment);
     text += ',';
-    append_name(text, visibility_names, row.visibility);
+    append_name(text, visibility_names, row.visibility, row.decided);
 }
 
 void RowCodec<IrradianceRow>::parse(Fields& fields, IrradianceRow& row) {

@@ -55,7 +55,7 @@ struct TableReader<Row>::Implementation {
     bool next(Row& row) {
         std::string_view line;
         if (!lines.next(line)) return false;
-        Fields fields(lines, header, line);
+        Fields fields(lines, header, line, options.undecided);
         codec.parse(fields, row);
         fields.expect_end();
         if (options.ordered) check_order(row);

@@ -217,6 +217,24 @@ TEST(Tables, AnswersUnderTestMayBeOutOfOrder) {
     EXPECT_EQ(count, 3);
 }
 
+TEST(Tables, UndecidedIsAWordOfAnswersUnderTestOnly) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "visibility.csv";
+    TableWriter<VisibilityRow> writer(path);
+    VisibilityRow row;
+    row.decided = false;
+    writer.write(row);
+    writer.commit();
+    EXPECT_EQ(read_file(path), "segment,visibility\n0,undecided\n");
+    EXPECT_THROW(read_all<VisibilityRow>(path), InputError);
+    TableReadOptions options;
+    options.undecided = true;
+    TableReader<VisibilityRow> reader(path, options);
+    row.decided = true;
+    ASSERT_TRUE(reader.next(row));
+    EXPECT_FALSE(row.decided);
+}
+
 // Lines longer than a block, and many of them: the reader's buffer moves and grows.
 TEST(Tables, LongListsAndManyRows) {
     const test::TemporaryFolder folder;
@@ -241,12 +259,12 @@ TEST(Tables, LongListsAndManyRows) {
 TEST(Tables, ThreadsMayMakeTheLines) {
     const test::TemporaryFolder folder;
     std::string lines;
-    append_row(lines, VisibilityRow{1, Visibility::grazing});
-    append_row(lines, VisibilityRow{2, Visibility::blocked});
+    append_row(lines, VisibilityRow{1, Visibility::grazing, true});
+    append_row(lines, VisibilityRow{2, Visibility::blocked, true});
     TableWriter<VisibilityRow> writer(folder / "visibility.csv");
-    writer.write({0, Visibility::clear});
+    writer.write({0, Visibility::clear, true});
     writer.write_lines(lines);
-    writer.write({3, Visibility::clear});
+    writer.write({3, Visibility::clear, true});
     writer.commit();
     EXPECT_EQ(writer.rows(), 4u);
     EXPECT_EQ(read_file(folder / "visibility.csv"), "segment,visibility\n0,clear\n1,grazing\n2,blocked\n3,clear\n");
