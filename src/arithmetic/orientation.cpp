@@ -1,56 +1,227 @@
 #include "arithmetic/orientation.hpp"
 
+#include "arithmetic/wide_integer.hpp"
+
 #include <algorithm>
 #include <cmath>
+
+// Every stage evaluates the same determinants:
+//   in space:   |  b-a, c-a, d-a |,   in a plane: | b-a, c-a | in two coordinates.
+// The determinant is linear in each coordinate by itself, so the integers are scaled one coordinate at a time.
 
 namespace cob {
 namespace {
 
-// Filters. With u = 2^-53, x, y and z the largest differences along an axis, and every difference rounded once: a
-// term of the determinant of order two carries at most 4 roundings, one of order three 8 (three differences, two
-// products, three sums), so that the computed determinants are off by at most 4 u (2 x y) and 8 u (6 x y z), up to
-// terms of order u^2, which the bounds below leave room for. The limits keep every product far from overflow, and
-// what underflow loses far below the bound.
-constexpr double unit = 0x1p-53;
-constexpr double bound2 = 8.5 * unit, bound3 = 49 * unit;
-constexpr double least2 = 0x1p-450, greatest2 = 0x1p500;
-constexpr double least3 = 0x1p-300, greatest3 = 0x1p330;
-
-Sign exact_orientation(const Point2& a, const Point2& b, const Point2& c) {
-    const Rational ax(a.x), ay(a.y);
-    return sign_of(Rational((Rational(b.x) - ax) * (Rational(c.y) - ay) - (Rational(b.y) - ay) * (Rational(c.x) - ax)));
+template <class T>
+T determinant(const T& a, const T& b, const T& c, const T& d) {
+    return a * d - b * c;
 }
 
-Sign exact_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const RationalPoint origin = to_rational(a);
-    return sign_of(dot(cross(to_rational(b) - origin, to_rational(c) - origin), to_rational(d) - origin));
+/// Columns x, y, z of the rows r0, r1, r2.
+template <class T>
+T determinant(const Vector3<T>& r0, const Vector3<T>& r1, const Vector3<T>& r2) {
+    return determinant(r0.x, r0.y, r1.x, r1.y) * r2.z - determinant(r0.x, r0.y, r2.x, r2.y) * r1.z +
+           determinant(r1.x, r1.y, r2.x, r2.y) * r0.z;
+}
+
+constexpr double unit_roundoff = 0x1p-53;
+// Below and above, products of three differences could under- or overflow.
+constexpr double smallest_safe = 1e-97, largest_safe = 1e102;
+
+double nearest_difference(const Point& p, const Point& origin, int axis) {
+    return p[axis] - origin[axis];
+}
+double nearest_difference(const ExactPoint& p, const ExactPoint& origin, int axis) {
+    return (p.nearest()[axis] - origin.nearest()[axis]) + (p.rest()[axis] - origin.rest()[axis]);
+}
+/// Bounds the terms that nearest_difference() sums, whose roundings are relative to them.
+double magnitude(const Point& p, const Point& origin, int axis) {
+    return std::abs(p[axis] - origin[axis]);
+}
+double magnitude(const ExactPoint& p, const ExactPoint& origin, int axis) {
+    return std::abs(p.nearest()[axis] - origin.nearest()[axis]) + std::abs(p.rest()[axis] - origin.rest()[axis]);
+}
+// A difference is wrong by at most this many unit roundoffs of magnitude(): one rounding; or two for the parts,
+// one for their sum, and one in rest() itself where a fraction stands behind it, with a fifth for slack.
+template <class P>
+constexpr double roundings = 5;
+template <>
+constexpr double roundings<Point> = 1;
+
+void add_bits(BitSpan& span, const Point& p, int axis) {
+    span.add(p[axis]);
+}
+void add_bits(BitSpan& span, const ExactPoint& p, int axis) {
+    span.add(p.nearest()[axis]);
+    span.add(p.rest()[axis]);
+}
+template <int Limbs>
+WideInteger<Limbs> integer_difference(const Point& p, const Point& origin, int axis, int unit) {
+    return WideInteger<Limbs>(p[axis], unit) - WideInteger<Limbs>(origin[axis], unit);
+}
+template <int Limbs>
+WideInteger<Limbs> integer_difference(const ExactPoint& p, const ExactPoint& origin, int axis, int unit) {
+    return integer_difference<Limbs>(p.nearest(), origin.nearest(), axis, unit) +
+           integer_difference<Limbs>(p.rest(), origin.rest(), axis, unit);
+}
+RationalPoint rational(const Point& p) {
+    return to_rational(p);
+}
+RationalPoint rational(const ExactPoint& p) {
+    return p.rational();
+}
+bool fits_integers(const Point&) {
+    return true;
+}
+bool fits_integers(const ExactPoint& p) {
+    return !p.has_fraction();
+}
+
+/// Sign of a filtered value; false: undecided (also for NaN).
+bool decided(double value, double bound, Sign& sign) {
+    if (value > bound) return sign = Sign::positive, true;
+    if (value < -bound) return sign = Sign::negative, true;
+    return false;
+}
+
+void report(Stage* stage, Stage value) {
+    if (stage != nullptr) *stage = value;
+}
+
+// ---------------------------------------------------------------------------------------------- in space
+
+template <class P>
+bool filtered_3d(const P& a, const P& b, const P& c, const P& d, Sign& sign) {
+    Point r0, r1, r2;
+    double product = 1, smallest = largest_safe, largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        r0[axis] = nearest_difference(b, a, axis);
+        r1[axis] = nearest_difference(c, a, axis);
+        r2[axis] = nearest_difference(d, a, axis);
+        const double size = std::max({magnitude(b, a, axis), magnitude(c, a, axis), magnitude(d, a, axis)});
+        product *= size;
+        smallest = std::min(smallest, size);
+        largest = std::max(largest, size);
+    }
+    if (smallest == 0) {  // a difference of binary64 numbers is zero only where they are equal
+        sign = Sign::zero;
+        return fits_integers(a) && fits_integers(b) && fits_integers(c) && fits_integers(d);
+    }
+    if (!(smallest > smallest_safe && largest < largest_safe)) return false;
+    // With X, Y, Z the sizes and k roundings in each difference, a minor is wrong by at most (4k + 4) u XY, its
+    // product with a third difference by (6k + 6) u XYZ, and the sum of three by (18k + 18 + 10) u XYZ.
+    const double bound = (20 * roundings<P> + 32) * unit_roundoff * product;
+    return decided(determinant(r0, r1, r2), bound, sign);
+}
+
+template <int Limbs, class P>
+Sign integer_3d(const P& a, const P& b, const P& c, const P& d, const std::array<BitSpan, 3>& spans) {
+    Vector3<WideInteger<Limbs>> rows[3];
+    const P* const ends[3] = {&b, &c, &d};
+    for (int row = 0; row < 3; ++row)
+        for (int axis = 0; axis < 3; ++axis)
+            rows[row][axis] = integer_difference<Limbs>(*ends[row], a, axis, spans[axis].low);
+    return sign_of(determinant(rows[0], rows[1], rows[2]));
+}
+
+template <class P>
+Sign orientation_3d(const P& a, const P& b, const P& c, const P& d, Stage* stage) {
+    Sign sign;
+    report(stage, Stage::filter);
+    if (filtered_3d(a, b, c, d, sign)) return sign;
+
+    if (fits_integers(a) && fits_integers(b) && fits_integers(c) && fits_integers(d)) {
+        report(stage, Stage::integer);
+        std::array<BitSpan, 3> spans;
+        int bits = 3 + 1;  // six terms, and the sign
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const P* p : {&a, &b, &c, &d}) add_bits(spans[axis], *p, axis);
+            if (spans[axis].only_zeros()) return Sign::zero;
+            bits += spans[axis].bits() + 2;  // difference of two, each of two parts
+        }
+        if (bits <= 128) return integer_3d<2>(a, b, c, d, spans);
+        if (bits <= 256) return integer_3d<4>(a, b, c, d, spans);
+        if (bits <= 512) return integer_3d<8>(a, b, c, d, spans);
+        if (bits <= 1024) return integer_3d<16>(a, b, c, d, spans);
+    }
+    report(stage, Stage::rational);
+    return orientation(rational(a), rational(b), rational(c), rational(d));
+}
+
+// --------------------------------------------------------------------------------------------- in a plane
+
+template <class P>
+bool filtered_2d(const P& a, const P& b, const P& c, int first, int second, Sign& sign) {
+    const double size_x = std::max(magnitude(b, a, first), magnitude(c, a, first));
+    const double size_y = std::max(magnitude(b, a, second), magnitude(c, a, second));
+    if (size_x == 0 || size_y == 0) {
+        sign = Sign::zero;
+        return fits_integers(a) && fits_integers(b) && fits_integers(c);
+    }
+    if (!(std::min(size_x, size_y) > smallest_safe && std::max(size_x, size_y) < largest_safe)) return false;
+    const double value = determinant(nearest_difference(b, a, first), nearest_difference(b, a, second),
+                                     nearest_difference(c, a, first), nearest_difference(c, a, second));
+    // (4k + 4) u XY, see above.
+    return decided(value, (5 * roundings<P> + 5) * unit_roundoff * size_x * size_y, sign);
+}
+
+template <int Limbs, class P>
+Sign integer_2d(const P& a, const P& b, const P& c, int first, int second, const BitSpan& x, const BitSpan& y) {
+    return sign_of(
+        determinant(integer_difference<Limbs>(b, a, first, x.low), integer_difference<Limbs>(b, a, second, y.low),
+                    integer_difference<Limbs>(c, a, first, x.low), integer_difference<Limbs>(c, a, second, y.low)));
+}
+
+template <class P>
+Sign orientation_2d(const P& a, const P& b, const P& c, int first, int second, Stage* stage) {
+    Sign sign;
+    report(stage, Stage::filter);
+    if (filtered_2d(a, b, c, first, second, sign)) return sign;
+
+    if (fits_integers(a) && fits_integers(b) && fits_integers(c)) {
+        report(stage, Stage::integer);
+        BitSpan x, y;
+        for (const P* p : {&a, &b, &c}) add_bits(x, *p, first), add_bits(y, *p, second);
+        if (x.only_zeros() || y.only_zeros()) return Sign::zero;
+        const int bits = x.bits() + y.bits() + 2 * 2 + 1 + 1;
+        if (bits <= 128) return integer_2d<2>(a, b, c, first, second, x, y);
+        if (bits <= 256) return integer_2d<4>(a, b, c, first, second, x, y);
+        if (bits <= 1024) return integer_2d<16>(a, b, c, first, second, x, y);
+    }
+    report(stage, Stage::rational);
+    const RationalPoint pa = rational(a), pb = rational(b), pc = rational(c);
+    return sign_of(determinant<Rational>(pb[first] - pa[first], pb[second] - pa[second], pc[first] - pa[first],
+                                         pc[second] - pa[second]));
 }
 
 }  // namespace
 
-Sign orientation(const Point2& a, const Point2& b, const Point2& c) {
-    const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-    const double x = std::max(std::abs(bx), std::abs(cx)), y = std::max(std::abs(by), std::abs(cy));
-    if (x == 0 || y == 0) return Sign::zero;
-    if (std::min(x, y) > least2 && std::max(x, y) < greatest2) {
-        const double determinant = bx * cy - by * cx, bound = bound2 * x * y;
-        if (determinant > bound) return Sign::positive;
-        if (determinant < -bound) return Sign::negative;
-    }
-    return exact_orientation(a, b, c);
+Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d, Stage* stage) {
+    return orientation_3d(a, b, c, d, stage);
 }
 
-Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const Point p = b - a, q = c - a, r = d - a;
-    const auto largest = [&](int axis) { return std::max({std::abs(p[axis]), std::abs(q[axis]), std::abs(r[axis])}); };
-    const double x = largest(0), y = largest(1), z = largest(2);
-    if (x == 0 || y == 0 || z == 0) return Sign::zero;
-    if (std::min({x, y, z}) > least3 && std::max({x, y, z}) < greatest3) {
-        const double determinant = dot(cross(p, q), r), bound = bound3 * x * y * z;
-        if (determinant > bound) return Sign::positive;
-        if (determinant < -bound) return Sign::negative;
-    }
-    return exact_orientation(a, b, c, d);
+Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d, Stage* stage) {
+    return orientation_3d(a, b, c, d, stage);
+}
+
+Sign orientation(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+    return sign_of(determinant(b - a, c - a, d - a));
+}
+
+Sign orientation(const Point2& a, const Point2& b, const Point2& c, Stage* stage) {
+    return orientation_2d(Point{a.x, a.y, 0}, Point{b.x, b.y, 0}, Point{c.x, c.y, 0}, 0, 1, stage);
+}
+
+Sign orientation_seen(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int first, int second,
+                      Stage* stage) {
+    return orientation_2d(a, b, c, first, second, stage);
+}
+
+bool collinear(const Point& a, const Point& b, const Point& c) {
+    const auto straight = [&](int first, int second) {
+        return orientation_2d(a, b, c, first, second, nullptr) == Sign::zero;
+    };
+    return straight(0, 1) && straight(1, 2) && straight(2, 0);
 }
 
 }  // namespace cob

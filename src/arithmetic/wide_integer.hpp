@@ -1,0 +1,164 @@
+/// \file
+/// Integers of a fixed number of 64-bit limbs, on the stack: the exact stage behind the filters.
+#pragma once
+
+#include "cob/arithmetic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cstdint>
+#include <cstring>
+
+namespace cob {
+
+__extension__ typedef unsigned __int128 DoubleLimb;
+
+/// A finite binary64 number as an integer times a power of two.
+struct BinaryParts {
+    std::uint64_t magnitude = 0;  ///< Odd, or 0 for zero.
+    int exponent = 0;             ///< |value| = magnitude * 2^exponent.
+    bool negative = false;
+
+    explicit BinaryParts(double value) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &value, sizeof bits);
+        negative = (bits >> 63) != 0;
+        const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+        magnitude = bits & ((std::uint64_t{1} << 52) - 1);
+        if (biased != 0) magnitude |= std::uint64_t{1} << 52;
+        if (magnitude == 0) return;
+        const int zeros = __builtin_ctzll(magnitude);
+        magnitude >>= zeros;
+        exponent = (biased == 0 ? 1 : biased) - 1075 + zeros;
+    }
+};
+
+/// Which bits a set of numbers uses: every one is a multiple of 2^low and less than 2^high in absolute value.
+struct BitSpan {
+    int low = INT_MAX / 4, high = INT_MIN / 4;
+
+    void add(double value) {
+        const BinaryParts parts(value);
+        if (parts.magnitude == 0) return;
+        low = std::min(low, parts.exponent);
+        high = std::max(high, parts.exponent + 64 - __builtin_clzll(parts.magnitude));
+    }
+    bool only_zeros() const { return high < low; }
+    /// Bits of the largest magnitude when counted in units of 2^low.
+    int bits() const { return only_zeros() ? 0 : high - low; }
+};
+
+/// Two's complement integer of Limbs x 64 bits. Operations wrap silently: the caller proves, by counting bits,
+/// that every result (not every intermediate sum) fits; wrapping makes intermediate overflow harmless.
+template <int Limbs>
+class WideInteger {
+public:
+    static constexpr int bits = 64 * Limbs;  ///< Holds |value| < 2^(bits - 1).
+
+    WideInteger() : limbs_{} {}
+    WideInteger(int value) {  // NOLINT: implicit, as for every number type
+        limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
+        limbs_[0] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
+    }
+    /// value / 2^unit, which must be an integer that fits.
+    WideInteger(double value, int unit) : limbs_{} {
+        const BinaryParts parts(value);
+        if (parts.magnitude == 0) return;
+        place(parts.magnitude, parts.exponent - unit);
+        if (parts.negative) negate();
+    }
+    /// value * 2^shift, which must fit.
+    WideInteger(const Integer& value, int shift) : limbs_{} {
+        const mpz_srcptr z = value.backend().data();
+        const std::size_t size = mpz_size(z);
+        const mp_limb_t* source = mpz_limbs_read(z);
+        const int whole = shift / 64, part = shift % 64;
+        for (int i = 0; i < static_cast<int>(size); ++i) {
+            if (i + whole < Limbs) limbs_[i + whole] |= source[i] << part;
+            if (part != 0 && i + whole + 1 < Limbs) limbs_[i + whole + 1] |= source[i] >> (64 - part);
+        }
+        if (mpz_sgn(z) < 0) negate();
+    }
+
+    Sign sign() const {
+        if (limbs_[Limbs - 1] >> 63) return Sign::negative;
+        std::uint64_t any = 0;
+        for (const std::uint64_t limb : limbs_) any |= limb;
+        return any != 0 ? Sign::positive : Sign::zero;
+    }
+
+    friend WideInteger operator+(const WideInteger& a, const WideInteger& b) {
+        WideInteger sum;
+        unsigned char carry = 0;
+        for (int i = 0; i < Limbs; ++i) {
+            const DoubleLimb t = DoubleLimb{a.limbs_[i]} + b.limbs_[i] + carry;
+            sum.limbs_[i] = static_cast<std::uint64_t>(t);
+            carry = static_cast<unsigned char>(t >> 64);
+        }
+        return sum;
+    }
+    friend WideInteger operator-(const WideInteger& a, const WideInteger& b) {
+        WideInteger difference;
+        unsigned char borrow = 0;
+        for (int i = 0; i < Limbs; ++i) {
+            const DoubleLimb t = DoubleLimb{a.limbs_[i]} - b.limbs_[i] - borrow;
+            difference.limbs_[i] = static_cast<std::uint64_t>(t);
+            borrow = static_cast<unsigned char>((t >> 64) & 1);
+        }
+        return difference;
+    }
+    friend WideInteger operator*(const WideInteger& a, const WideInteger& b) {
+        // Modulo 2^bits the product of two's complement numbers is that of the unsigned ones.
+        WideInteger product;
+        for (int i = 0; i < Limbs; ++i) {
+            std::uint64_t carry = 0;
+            for (int j = 0; i + j < Limbs; ++j) {
+                const DoubleLimb t = DoubleLimb{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
+                product.limbs_[i + j] = static_cast<std::uint64_t>(t);
+                carry = static_cast<std::uint64_t>(t >> 64);
+            }
+        }
+        return product;
+    }
+    friend WideInteger operator-(WideInteger a) {
+        a.negate();
+        return a;
+    }
+
+    friend bool operator==(const WideInteger& a, const WideInteger& b) { return a.limbs_ == b.limbs_; }
+    friend bool operator!=(const WideInteger& a, const WideInteger& b) { return !(a == b); }
+    friend bool operator<(const WideInteger& a, const WideInteger& b) {
+        const auto top_a = static_cast<std::int64_t>(a.limbs_[Limbs - 1]);
+        const auto top_b = static_cast<std::int64_t>(b.limbs_[Limbs - 1]);
+        if (top_a != top_b) return top_a < top_b;
+        for (int i = Limbs - 2; i >= 0; --i)
+            if (a.limbs_[i] != b.limbs_[i]) return a.limbs_[i] < b.limbs_[i];
+        return false;
+    }
+    friend bool operator>(const WideInteger& a, const WideInteger& b) { return b < a; }
+
+    void negate() {
+        unsigned char carry = 1;
+        for (std::uint64_t& limb : limbs_) {
+            limb = ~limb + carry;
+            carry = carry && limb == 0;
+        }
+    }
+
+private:
+    void place(std::uint64_t magnitude, int shift) {
+        const int whole = shift / 64, part = shift % 64;
+        limbs_[whole] = magnitude << part;
+        if (part != 0 && whole + 1 < Limbs) limbs_[whole + 1] = magnitude >> (64 - part);
+    }
+
+    std::array<std::uint64_t, Limbs> limbs_;  // least significant first
+};
+
+template <int Limbs>
+Sign sign_of(const WideInteger<Limbs>& value) {
+    return value.sign();
+}
+
+}  // namespace cob

@@ -1,0 +1,124 @@
+// The orientation predicates against fractions: every stage must occur, every sign must occur in every stage.
+#include "arithmetic/orientation.hpp"
+
+#include "arithmetic/wide_integer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+namespace cob {
+namespace {
+
+Sign rational_2d(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, int i, int j) {
+    return sign_of(Rational((b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i])));
+}
+
+/// A coordinate of one of several kinds: small integers (ties), one ulp from them, full 53 bits, huge and tiny.
+double coordinate(std::mt19937_64& random, int kind) {
+    const double small = static_cast<double>(random() % 9) - 4;
+    switch (kind) {
+        case 0:
+            return small;
+        case 1:
+            return random() % 3 == 0 ? std::nextafter(small, 10.0) : small;
+        case 2:
+            return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5;
+        case 3:
+            return small * 0x1p-1070;
+        case 4:
+            return std::ldexp(small, static_cast<int>(random() % 400) - 200);
+        default:
+            return std::ldexp(small, random() % 2 ? 1000 : -1060);
+    }
+}
+
+TEST(Orientation, AgreesWithFractionsInEveryStage) {
+    std::map<Stage, std::set<Sign>> seen;
+    for (std::uint64_t index = 0; index < 30000; ++index) {
+        std::mt19937_64 random(index);
+        const int kind = static_cast<int>(index % 6);
+        Point p[4];
+        for (Point& point : p) point = {coordinate(random, kind), coordinate(random, kind), coordinate(random, kind)};
+        if (random() % 4 == 0) {  // coplanar by construction, exactly where the sum is exact
+            p[3] = p[1] + p[2] - p[0];
+        }
+        Stage stage;
+        const Sign sign = orientation(p[0], p[1], p[2], p[3], &stage);
+        ASSERT_EQ(sign, orientation(to_rational(p[0]), to_rational(p[1]), to_rational(p[2]), to_rational(p[3])))
+            << index;
+        seen[stage].insert(sign);
+        ASSERT_EQ(orientation(Point2{p[0].y, p[0].z}, Point2{p[1].y, p[1].z}, Point2{p[2].y, p[2].z}),
+                  rational_2d(to_rational(p[0]), to_rational(p[1]), to_rational(p[2]), 1, 2))
+            << index;
+    }
+    for (const Stage stage : {Stage::filter, Stage::integer, Stage::rational})
+        EXPECT_EQ(seen[stage].size(), 3u) << static_cast<int>(stage);
+}
+
+TEST(Orientation, TakesExactPointsOfAnyProvenance) {
+    std::map<Stage, std::set<Sign>> seen;
+    for (std::uint64_t index = 0; index < 6000; ++index) {
+        std::mt19937_64 random(index);
+        RationalPoint q[4];
+        for (RationalPoint& point : q)
+            for (int axis = 0; axis < 3; ++axis) {
+                const int kind = static_cast<int>(index % 3);
+                point[axis] = Rational(coordinate(random, kind)) + Rational(coordinate(random, 0)) * Rational(0x1p-70);
+                if (index % 5 == 0) point[axis] += Rational(static_cast<int>(random() % 3), 3);
+            }
+        if (random() % 3 == 0) q[3] = q[1] + q[2] - q[0];
+        const ExactPoint p[4] = {ExactPoint(q[0]), ExactPoint(q[1]), ExactPoint(q[2]), ExactPoint(q[3])};
+        Stage stage;
+        const Sign sign = orientation(p[0], p[1], p[2], p[3], &stage);
+        ASSERT_EQ(sign, orientation(q[0], q[1], q[2], q[3])) << index;
+        ASSERT_EQ(orientation_seen(p[0], p[1], p[2], 2, 0), rational_2d(q[0], q[1], q[2], 2, 0)) << index;
+        seen[stage].insert(sign);
+    }
+    EXPECT_GE(seen[Stage::filter].size(), 2u);
+    EXPECT_EQ(seen[Stage::integer].size(), 3u);
+    EXPECT_EQ(seen[Stage::rational].size(), 3u);
+}
+
+template <int Limbs>
+void agrees_with_integers() {
+    std::mt19937_64 random(Limbs);
+    for (int round = 0; round < 500; ++round) {
+        const double a = std::ldexp(static_cast<double>(random() >> 11) - 0x1p52, static_cast<int>(random() % 20));
+        const double b = std::ldexp(static_cast<double>(random() >> 11) - 0x1p52, static_cast<int>(random() % 20));
+        const Integer wide = (Integer(a) << 20) - Integer(b), other = Integer(b) + 7;
+        if (msb(Integer(abs(wide) * abs(other))) + 2 >= 64 * Limbs) continue;
+        using Wide = WideInteger<Limbs>;
+        const Wide x = Wide(a, -20) - Wide(b, 0), y = Wide(b, 0) + Wide(7);
+        ASSERT_EQ(x * y, Wide(Integer(wide * other), 0));
+        ASSERT_EQ(-(x * y), Wide(Integer(-wide * other), 0));
+        ASSERT_EQ(x < y, wide < other);
+        ASSERT_EQ(x > y, wide > other);
+        ASSERT_EQ(sign_of(x - y), sign_of(Integer(wide - other)));
+        ASSERT_EQ(sign_of(x - x), Sign::zero);
+    }
+}
+
+TEST(WideInteger, AgreesWithGmp) {
+    agrees_with_integers<4>();
+    agrees_with_integers<8>();
+    agrees_with_integers<16>();
+}
+
+TEST(WideInteger, CountsBits) {
+    BitSpan span;
+    span.add(0);
+    EXPECT_TRUE(span.only_zeros());
+    span.add(-6);
+    EXPECT_EQ(span.low, 1);
+    EXPECT_EQ(span.high, 3);
+    span.add(0x1p-1074);
+    EXPECT_EQ(span.low, -1074);
+    EXPECT_EQ(span.bits(), 1077);
+}
+
+}  // namespace
+}  // namespace cob
