@@ -23,6 +23,7 @@ struct Root {
     PieceId piece = -1;
     std::array<VertexId, 4> corners{};  ///< Counter-clockwise as seen; the fourth -1 for a triangle.
     std::uint8_t longest_side = 0;      ///< Base-edge direction u runs from this corner to the next (choice 2).
+    RootId id = -1;                        ///< Its own index in Roots::all().
 
     int corner_count() const { return corners[3] < 0 ? 3 : 4; }
 };
@@ -62,11 +63,13 @@ struct Element {
 /// The element that is the whole root.
 Element root_element(RootId root);
 /// Halves every side: four children. Of a quadrilateral: (2i,2j), (2i+1,2j), (2i+1,2j+1), (2i,2j+1). Of a
-/// triangle: at corners 0, 1, 2, then the middle.
+/// triangle: at corners 0, 1, 2, then the middle. Throws InputError beyond level 31.
 std::array<Element, 4> children(const Root& root, const Element& element);
+/// The element of which this is a child; one of level 0 on either axis has none (std::logic_error).
 Element parent(const Root& root, const Element& element);
 /// Patches of a root: as few cuts as bring every side to at most edge (SPEC 3), exactly compared; edge <= 0 or
-/// infinite: the root alone.
+/// infinite: the root alone. Quadrilateral: ascending by j, then i; triangle: the same, upright before inverted.
+/// Throws InputError for more than 2^31 patches.
 std::vector<Element> patches(const Scene& scene, const Root& root, double edge);
 /// Every element `levels` refinements below the given one, in depth-first order of children().
 std::vector<Element> descendants(const Root& root, const Element& element, int levels);
