@@ -1,0 +1,120 @@
+#include "radiosity/viewpoint.hpp"
+
+#include <limits>
+#include <numeric>
+
+namespace cob::radiosity {
+namespace {
+
+/// Of every vertex, the first at its position.
+std::vector<VertexId> first_at_position(const std::vector<Point>& positions) {
+    std::vector<VertexId> order(positions.size()), first(positions.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](VertexId a, VertexId b) {
+        const Point &p = positions[a], &q = positions[b];
+        return p != q ? p < q : a < b;
+    });
+    for (std::size_t k = 0; k < order.size(); ++k)
+        first[order[k]] = k > 0 && positions[order[k]] == positions[order[k - 1]] ? first[order[k - 1]] : order[k];
+    return first;
+}
+
+/// Exact: the corner b lies on the line through a and c.
+bool is_straight(const Point& a, const Point& b, const Point& c) {
+    const BoundedVector turn = cross(BoundedVector{b, 0} - BoundedVector{a, 0}, BoundedVector{c, 0} - BoundedVector{b, 0});
+    if (turn.size() > turn.error) return false;
+    const RationalPoint p = to_rational(a), q = to_rational(b), r = to_rational(c);
+    return cob::cross(q - p, r - q) == RationalPoint{};
+}
+
+double scale_of(const std::vector<Point>& positions) {
+    double size = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = std::numeric_limits<double>::max(), high = -low;
+        for (const Point& p : positions) low = std::min(low, p[axis]), high = std::max(high, p[axis]);
+        if (high > low) size = std::max(size, high / 2 - low / 2);
+    }
+    if (size == 0) return 1;
+    return std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1020));
+}
+
+}  // namespace
+
+PreparedPieces::PreparedPieces(const Scene& scene) : scene_(&scene), scale_(scale_of(scene.positions())) {
+    const std::vector<VertexId> canonical = first_at_position(scene.positions());
+    first_corner_.push_back(0);
+    for (const Piece& piece : scene.pieces()) {
+        const View<VertexId> loop = scene.corners(piece);
+        const auto n = loop.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const VertexId corner = canonical[loop[k]];
+            if (!is_straight(scene.position(loop[(k + n - 1) % n]), scene.position(corner), scene.position(loop[(k + 1) % n])))
+                corners_.push_back(corner);
+        }
+        first_corner_.push_back(static_cast<std::uint32_t>(corners_.size()));
+    }
+}
+
+View<VertexId> PreparedPieces::corners(PieceId piece) const {
+    const auto k = static_cast<std::size_t>(piece);
+    return {corners_.data() + first_corner_[k], corners_.data() + first_corner_[k + 1]};
+}
+
+BoundedVector Viewpoint::towards(VertexId vertex) const {
+    const double scale = pieces_->scale();
+    const Vector3<double> coarse = scale * pieces_->scene().position(vertex) - scale * position_.nearest();
+    const Vector3<double> rest = scale * position_.rest();
+    BoundedVector result{coarse - rest, 0};
+    const double off = BoundedVector{coarse, 0}.size() + BoundedVector{rest, 0}.size();
+    // Differences that are exact are common (grids, dyadic points) but not told apart here.
+    result.error = 2.5 * unit_roundoff * off + underflow;
+    return result;
+}
+
+const RationalPoint& Viewpoint::exact_position() const {
+    if (!exact_position_) exact_position_ = position_.rational();
+    return *exact_position_;
+}
+
+RationalPoint Viewpoint::exact_towards(VertexId vertex) const {
+    return to_rational(pieces_->scene().position(vertex)) - exact_position();
+}
+
+BoundedVector Viewpoint::normal(PieceId piece) const {
+    const View<VertexId> loop = pieces_->corners(piece);
+    const double scale = pieces_->scale();
+    const auto at = [&](int k) { return BoundedVector{scale * pieces_->scene().position(loop[k]), 0}; };
+    return cross(at(1) - at(0), at(2) - at(0));
+}
+
+RationalPoint Viewpoint::exact_normal(PieceId piece) const {
+    const View<VertexId> loop = pieces_->corners(piece);
+    const auto at = [&](int k) { return to_rational(pieces_->scene().position(loop[k])); };
+    return cob::cross(at(1) - at(0), at(2) - at(0));
+}
+
+BoundedNumber Viewpoint::height_over(PieceId piece) const {
+    return dot(normal(piece), -towards(pieces_->corners(piece)[0]));
+}
+
+Rational Viewpoint::exact_height_over(PieceId piece) const {
+    return -cob::dot(exact_normal(piece), exact_towards(pieces_->corners(piece)[0]));
+}
+
+Sign Viewpoint::side_of(PieceId piece) const {
+    if (const auto certain = height_over(piece).sign()) return *certain;
+    return sign_of(exact_height_over(piece));
+}
+
+Sign Viewpoint::side_of(PieceId piece, VertexId vertex) const {
+    const VertexId base = pieces_->corners(piece)[0];
+    for (VertexId corner : pieces_->corners(piece))
+        if (corner == vertex) return Sign::zero;
+    const double scale = pieces_->scale();
+    const Point &p = pieces_->scene().position(vertex), &q = pieces_->scene().position(base);
+    const BoundedVector offset = BoundedVector{scale * p, 0} - BoundedVector{scale * q, 0};
+    if (const auto certain = dot(normal(piece), offset).sign()) return *certain;
+    return sign_of(cob::dot(exact_normal(piece), to_rational(p) - to_rational(q)));
+}
+
+}  // namespace cob::radiosity

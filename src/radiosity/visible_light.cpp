@@ -1,0 +1,206 @@
+#include "radiosity/visible_light.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <cmath>
+
+namespace cob::radiosity {
+namespace {
+
+using boost::multiprecision::cpp_bin_float;
+template <unsigned digits>
+using Decimal = boost::multiprecision::number<cpp_bin_float<digits>, boost::multiprecision::et_off>;
+
+/// Is the piece certainly on the outside of one of the cone's planes? May say no.
+bool misses(const PlanesThroughPoint& planes, const Cone& cone, const View<VertexId>& corners) {
+    boost::container::small_vector<BoundedVector, 8> towards;
+    for (VertexId corner : corners) towards.push_back(planes.viewpoint().towards(corner));
+    for (const PlaneRef& plane : cone.planes) {
+        const BoundedVector normal = planes.normal(plane);
+        bool outside = true;
+        for (std::size_t k = 0; k < towards.size() && outside; ++k) {
+            const BoundedNumber height = dot(normal, towards[k]);
+            outside = height.value < -height.error || planes.contains(plane, corners[k]);
+        }
+        if (outside) return true;
+    }
+    return false;
+}
+
+/// The directions in which the piece lies strictly between the viewpoint and the plane of a piece of the light.
+std::optional<Cone> shadow_of(PlanesThroughPoint& planes, PieceId occluder, PieceId light) {
+    const Viewpoint& viewpoint = planes.viewpoint();
+    bool in_front = false, behind = false;
+    for (VertexId corner : viewpoint.pieces().corners(occluder)) {
+        const Sign side = viewpoint.side_of(light, corner);
+        in_front = in_front || side == Sign::positive;
+        behind = behind || side == Sign::negative;
+    }
+    if (!in_front) return std::nullopt;
+    std::optional<Cone> shadow = planes.over(occluder);
+    if (!shadow || !behind) return shadow;
+    return split(planes, *shadow, planes.before(occluder, light)).positive;
+}
+
+/// Large shadows first: they leave less to cut. Any order gives the same region.
+double apparent_size(const Viewpoint& viewpoint, PieceId piece) {
+    const Vector3<double> to = viewpoint.towards(viewpoint.pieces().corners(piece)[0]).value;
+    const double distance = length(to);
+    return std::abs(viewpoint.height_over(piece).value) / (distance * distance * distance);
+}
+
+struct Shadow {
+    double size;
+    PieceId piece;
+};
+
+/// Cuts away what is hidden of the cones over one piece of the light.
+void remove_hidden(PlanesThroughPoint& planes, std::vector<Cone>& cones, PieceId light,
+                   const std::vector<PieceId>& on_top, const std::vector<PieceId>& occluders) {
+    const Viewpoint& viewpoint = planes.viewpoint();
+    const Cone whole = cones.front();
+    for (PieceId sheet : on_top) {
+        if (misses(planes, whole, viewpoint.pieces().corners(sheet))) continue;
+        if (const auto cone = planes.over(sheet)) subtract(planes, cones, *cone);
+    }
+    boost::container::small_vector<Shadow, 16> shadows;
+    for (PieceId occluder : occluders)
+        if (occluder != light && !misses(planes, whole, viewpoint.pieces().corners(occluder)))
+            shadows.push_back({apparent_size(viewpoint, occluder), occluder});
+    std::sort(shadows.begin(), shadows.end(),
+              [](const Shadow& a, const Shadow& b) { return a.size != b.size ? a.size > b.size : a.piece < b.piece; });
+    for (std::size_t k = 0; k < shadows.size() && !cones.empty(); ++k)
+        if (const auto shadow = shadow_of(planes, shadows[k].piece, light)) subtract(planes, cones, *shadow);
+}
+
+ConeInNumbers<double> in_binary64(const PlanesThroughPoint& planes, const Cone& cone) {
+    ConeInNumbers<double> result;
+    for (const PlaneRef& plane : cone.planes) result.inward.push_back(planes.normal(plane).value);
+    for (const Ray& ray : cone.rays) result.rays.push_back(ray.direction.value);
+    return result;
+}
+
+/// Error of lambert<double>() of the cone, from the errors of its planes and rays.
+double error_in_binary64(const PlanesThroughPoint& planes, const ReceiverNormal& normal, const Cone& cone) {
+    const auto relative = [](const BoundedVector& v) { return 1.8 * v.error / length(v.value) + 4 * unit_roundoff; };
+    double sum = 0;
+    const std::size_t n = cone.rays.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const BoundedVector &from = cone.rays[(k + n - 1) % n].direction, &to = cone.rays[k].direction;
+        const BoundedVector inward = planes.normal(cone.planes[k]);
+        const double theta = angle(from.value, to.value);
+        const double cosine = std::abs(dot(normal.bounded.value, inward.value)) /
+                              (length(normal.bounded.value) * length(inward.value));
+        sum += theta * (2 * relative(inward) + 2 * relative(normal.bounded)) +
+               cosine * (relative(from) + relative(to) + theta * 4 * unit_roundoff);
+    }
+    return 1.01 * sum / (2 * boost::math::constants::pi<double>());
+}
+
+BoundedNumber sum_in_binary64(const PlanesThroughPoint& planes, const ReceiverNormal& normal,
+                              const std::vector<Cone>& cones, bool with_error) {
+    BoundedNumber sum;
+    for (const Cone& cone : cones) {
+        sum.value += lambert(normal.bounded.value, in_binary64(planes, cone));
+        if (with_error) sum.error += error_in_binary64(planes, normal, cone) + 2 * unit_roundoff * std::abs(sum.value);
+    }
+    return sum;
+}
+
+/// To a largest component between 1/2 and 2, with all digits of T.
+template <class T>
+Vector3<T> scaled(const RationalPoint& v) {
+    Rational size = 0;
+    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(v[axis]));
+    Vector3<T> result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Rational component = v[axis] / size;
+        result[axis] = T(numerator(component)) / T(denominator(component));
+    }
+    return result;
+}
+
+template <class T>
+T sum_in(const PlanesThroughPoint& planes, const ReceiverNormal& normal, const std::vector<Cone>& cones) {
+    T sum = 0;
+    for (const Cone& cone : cones) {
+        ConeInNumbers<T> numbers;
+        for (const PlaneRef& plane : cone.planes) numbers.inward.push_back(scaled<T>(planes.exact_normal(plane)));
+        for (const Ray& ray : cone.rays) numbers.rays.push_back(scaled<T>(planes.exact_direction(ray)));
+        sum += lambert(scaled<T>(normal.exact), numbers);
+    }
+    return sum;
+}
+
+double sides(const std::vector<Cone>& cones) {
+    double count = 0;
+    for (const Cone& cone : cones) count += static_cast<double>(cone.planes.size());
+    return count;
+}
+
+/// Both sums with that many digits, where these suffice for 1e-14 of the unobstructed one.
+template <unsigned digits>
+bool evaluate_in(const PlanesThroughPoint& planes, const ReceiverNormal& normal, const std::vector<Cone>& all,
+                 const std::vector<Cone>& visible, LightView& view) {
+    using T = Decimal<digits>;
+    const T unobstructed = sum_in<T>(planes, normal, all);
+    const T error = T(100 * (sides(all) + sides(visible))) * std::numeric_limits<T>::epsilon();
+    if (!(error <= unobstructed * T(1e-14))) return false;
+    view.unobstructed = static_cast<double>(unobstructed);
+    view.visible = static_cast<double>(sum_in<T>(planes, normal, visible));
+    return true;
+}
+
+void evaluate(const PlanesThroughPoint& planes, const ReceiverNormal& normal, const std::vector<Cone>& all,
+              const std::vector<Cone>& visible, Precision precision, LightView& view) {
+    const bool certain = precision == Precision::certain;
+    const BoundedNumber a = sum_in_binary64(planes, normal, all, certain);
+    const BoundedNumber v = sum_in_binary64(planes, normal, visible, certain);
+    view.unobstructed = a.value, view.visible = v.value;
+    if (!certain || std::max(a.error, v.error) <= 1e-14 * a.value) return;
+    // Long angles of a light that is small or seen at a graze cancel: more digits. 1200 suffice for any binary64
+    // input whose light is not both tiny and tangential.
+    if (evaluate_in<50>(planes, normal, all, visible, view)) return;
+    if (evaluate_in<200>(planes, normal, all, visible, view)) return;
+    evaluate_in<1200>(planes, normal, all, visible, view);
+}
+
+}  // namespace
+
+ReceiverNormal::ReceiverNormal(const RationalPoint& normal) : exact(normal) {
+    Rational size = 0;
+    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(normal[axis]));
+    for (int axis = 0; axis < 3; ++axis) bounded.value[axis] = to_nearest(Rational(normal[axis] / size));
+    bounded.error = unit_roundoff;
+}
+
+LightView view_light(const Viewpoint& viewpoint, const ReceiverNormal& normal, const LightPieces& light,
+                     const std::vector<PieceId>& occluders, Precision precision) {
+    PlanesThroughPoint planes(viewpoint);
+    std::vector<Cone> all, visible;
+    const PlaneRef horizon = planes.perpendicular_to(normal.exact, normal.bounded);
+    bool untouched = true;
+    for (PieceId piece : light.pieces) {
+        if (viewpoint.side_of(piece) != Sign::positive) continue;
+        std::optional<Cone> cone = split(planes, *planes.over(piece), horizon).positive;
+        if (!cone) continue;
+        std::vector<Cone> cones{*cone};
+        remove_hidden(planes, cones, piece, light.on_top, occluders);
+        untouched = untouched && cones.size() == 1 && cones.front().planes.size() == cone->planes.size() &&
+                    std::equal(cones.front().planes.begin(), cones.front().planes.end(), cone->planes.begin());
+        all.push_back(std::move(*cone));
+        std::move(cones.begin(), cones.end(), std::back_inserter(visible));
+    }
+    LightView view;
+    view.parts = static_cast<int>(visible.size());
+    evaluate(planes, normal, all, visible, precision, view);
+    // Sums of parts may be off by their last digits; what is known is not.
+    if (untouched) view.visible = view.unobstructed;
+    if (visible.empty()) view.visible = 0;
+    view.unobstructed = std::clamp(view.unobstructed, 0.0, 1.0);
+    view.visible = std::clamp(view.visible, 0.0, view.unobstructed);
+    for (const Cone& cone : visible) view.solid_angle += solid_angle(in_binary64(planes, cone));
+    return view;
+}
+
+}  // namespace cob::radiosity
