@@ -1,7 +1,11 @@
 #include "radiosity/cone.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 namespace cob::radiosity {
 namespace {
+
+using SideSigns = boost::container::small_vector<Sign, 8>;
 
 VertexId common_vertex(VertexId a, VertexId b, VertexId c, VertexId d) {
     if (a >= 0 && (a == c || a == d)) return a;
@@ -21,8 +25,7 @@ bool separates(const PlanesThroughPoint& planes, const Cone& cone, const Cone& o
 }
 
 /// The part on the positive side, given the sides of the rays: some positive, some negative.
-Cone keep(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane,
-          const boost::container::small_vector<Sign, 8>& sides) {
+Cone keep(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane, const SideSigns& sides) {
     const std::size_t n = cone.planes.size();
     // Begin behind the ray that is the last not to be positive, so that what is kept is one run.
     std::size_t start = 0;
@@ -106,9 +109,8 @@ BoundedVector PlanesThroughPoint::normal(PlaneRef ref) const {
 RationalPoint PlanesThroughPoint::exact_normal(PlaneRef ref) const {
     Plane& plane = planes_[static_cast<std::size_t>(ref.index)];
     if (!plane.is_exact) {
-        plane.exact = plane.a >= 0
-                          ? cob::cross(viewpoint_->exact_towards(plane.a), viewpoint_->exact_towards(plane.b))
-                          : exact_before(plane.near_piece, plane.far_piece);
+        plane.exact = plane.a >= 0 ? cob::cross(viewpoint_->exact_towards(plane.a), viewpoint_->exact_towards(plane.b))
+                                   : exact_before(plane.near_piece, plane.far_piece);
         plane.is_exact = true;
     }
     return ref.flipped ? -plane.exact : plane.exact;
@@ -130,8 +132,8 @@ Ray PlanesThroughPoint::meet(PlaneRef first, PlaneRef second) const {
     const BoundedVector towards = viewpoint_->towards(ray.vertex);
     std::optional<Sign> along = dot(ray.direction, towards).sign();
     if (!along)
-        along = sign_of(cob::dot(cob::cross(exact_normal(first), exact_normal(second)),
-                                 viewpoint_->exact_towards(ray.vertex)));
+        along = sign_of(
+            cob::dot(cob::cross(exact_normal(first), exact_normal(second)), viewpoint_->exact_towards(ray.vertex)));
     ray.opposite = *along == Sign::negative;
     ray.direction = ray.opposite ? -towards : towards;
     return ray;
@@ -158,12 +160,13 @@ std::optional<Cone> PlanesThroughPoint::over(PieceId piece) {
     Cone cone;
     for (std::size_t k = 0; k < n; ++k) cone.planes.push_back(through_edge(corner(k), corner(k + 1)));
     for (std::size_t k = 0; k < n; ++k)
-        cone.rays.push_back({cone.planes[k], cone.planes[(k + 1) % n], corner(k + 1), false, viewpoint_->towards(corner(k + 1))});
+        cone.rays.push_back(
+            {cone.planes[k], cone.planes[(k + 1) % n], corner(k + 1), false, viewpoint_->towards(corner(k + 1))});
     return cone;
 }
 
 SplitCone split(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane) {
-    boost::container::small_vector<Sign, 8> sides;
+    SideSigns sides;
     bool positive = false, negative = false;
     for (const Ray& ray : cone.rays) {
         sides.push_back(planes.side(plane, ray));

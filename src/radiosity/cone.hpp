@@ -12,9 +12,8 @@
 #include "cob/geometry.hpp"
 #include "radiosity/viewpoint.hpp"
 
-#include <boost/container/small_vector.hpp>
-
 #include <unordered_map>
+#include <vector>
 
 namespace cob::radiosity {
 
@@ -30,16 +29,16 @@ struct PlaneRef {
 /// The ray in which two planes meet.
 struct Ray {
     PlaneRef first, second;
-    VertexId vertex = -1;     ///< Its line runs through this vertex; -1: through none that is known.
-    bool opposite = false;    ///< It points away from the vertex.
+    VertexId vertex = -1;   ///< Its line runs through this vertex; -1: through none that is known.
+    bool opposite = false;  ///< It points away from the vertex.
     BoundedVector direction;
 };
 
 /// The directions on the positive sides of all planes; rays[k] is where planes[k] and the next one meet. Planes in
 /// the order in which the first ray turns into the second to the left, seen along the cone. Never empty inside.
 struct Cone {
-    boost::container::small_vector<PlaneRef, 8> planes;
-    boost::container::small_vector<Ray, 8> rays;
+    std::vector<PlaneRef> planes;
+    std::vector<Ray> rays;
 };
 
 /// The planes through one viewpoint, each kept once, and the exact predicates and constructions over them.
@@ -76,9 +75,9 @@ public:
 private:
     struct Plane {
         BoundedVector normal;
-        VertexId a = -1, b = -1;             ///< Of an edge.
+        VertexId a = -1, b = -1;                  ///< Of an edge.
         PieceId near_piece = -1, far_piece = -1;  ///< Of an order of depth.
-        RationalPoint exact;                 ///< Where is_exact.
+        RationalPoint exact;                      ///< Where is_exact.
         bool is_exact = false;
     };
     const Plane& at(PlaneRef ref) const { return planes_[static_cast<std::size_t>(ref.index)]; }

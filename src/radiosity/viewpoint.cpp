@@ -21,7 +21,8 @@ std::vector<VertexId> first_at_position(const std::vector<Point>& positions) {
 
 /// Exact: the corner b lies on the line through a and c.
 bool is_straight(const Point& a, const Point& b, const Point& c) {
-    const BoundedVector turn = cross(BoundedVector{b, 0} - BoundedVector{a, 0}, BoundedVector{c, 0} - BoundedVector{b, 0});
+    const BoundedVector turn =
+        cross(BoundedVector{b, 0} - BoundedVector{a, 0}, BoundedVector{c, 0} - BoundedVector{b, 0});
     if (turn.size() > turn.error) return false;
     const RationalPoint p = to_rational(a), q = to_rational(b), r = to_rational(c);
     return cob::cross(q - p, r - q) == RationalPoint{};
@@ -48,7 +49,8 @@ PreparedPieces::PreparedPieces(const Scene& scene) : scene_(&scene), scale_(scal
         const auto n = loop.size();
         for (std::size_t k = 0; k < n; ++k) {
             const VertexId corner = canonical[loop[k]];
-            if (!is_straight(scene.position(loop[(k + n - 1) % n]), scene.position(corner), scene.position(loop[(k + 1) % n])))
+            if (!is_straight(scene.position(loop[(k + n - 1) % n]), scene.position(corner),
+                             scene.position(loop[(k + 1) % n])))
                 corners_.push_back(corner);
         }
         first_corner_.push_back(static_cast<std::uint32_t>(corners_.size()));

@@ -1,5 +1,6 @@
 #include "radiosity/visible_light.hpp"
 
+#include <boost/container/small_vector.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cmath>
@@ -89,8 +90,8 @@ double error_in_binary64(const PlanesThroughPoint& planes, const ReceiverNormal&
         const BoundedVector &from = cone.rays[(k + n - 1) % n].direction, &to = cone.rays[k].direction;
         const BoundedVector inward = planes.normal(cone.planes[k]);
         const double theta = angle(from.value, to.value);
-        const double cosine = std::abs(dot(normal.bounded.value, inward.value)) /
-                              (length(normal.bounded.value) * length(inward.value));
+        const double cosine =
+            std::abs(dot(normal.bounded.value, inward.value)) / (length(normal.bounded.value) * length(inward.value));
         sum += theta * (2 * relative(inward) + 2 * relative(normal.bounded)) +
                cosine * (relative(from) + relative(to) + theta * 4 * unit_roundoff);
     }

@@ -1,0 +1,92 @@
+#include "radiosity/plane_sheets.hpp"
+
+#include "arithmetic/orientation.hpp"
+
+#include <algorithm>
+
+namespace cob::radiosity {
+namespace {
+
+/// Twice the area seen along the polygon's main axis, exactly.
+Rational doubled_area(const Scene& scene, PolygonId polygon, const View2& view) {
+    const View<VertexId> loop = scene.loop(polygon);
+    Rational sum = 0;
+    const auto coordinate = [&](std::size_t k, int axis) {
+        return Rational(scene.position(loop[k % loop.size()])[axis]);
+    };
+    for (std::size_t k = 0; k < loop.size(); ++k)
+        sum += coordinate(k, view.first) * coordinate(k + 1, view.second) -
+               coordinate(k + 1, view.first) * coordinate(k, view.second);
+    return sum;
+}
+
+/// Three corners of the polygon's first piece that span its plane.
+std::array<Point, 3> plane_of(const Scene& scene, PolygonId polygon) {
+    const Piece& piece = scene.pieces_of(polygon).front();
+    const View<VertexId> loop = scene.corners(piece);
+    const Polygon& shape = scene.polygon(polygon);
+    const auto seen = [&](VertexId v) {
+        const Point& p = scene.position(v);
+        return Point2{p[shape.view.first], p[shape.view.second]};
+    };
+    for (std::size_t k = 2; k < loop.size(); ++k)
+        if (orientation(seen(loop[0]), seen(loop[1]), seen(loop[k])) != Sign::zero)
+            return {scene.position(loop[0]), scene.position(loop[1]), scene.position(loop[k])};
+    return {scene.position(loop[0]), scene.position(loop[1]), scene.position(loop[2])};
+}
+
+bool lies_in(const Scene& scene, PolygonId polygon, const std::array<Point, 3>& plane) {
+    const View<VertexId> loop = scene.loop(polygon);
+    return std::all_of(loop.begin(), loop.end(), [&](VertexId v) {
+        return orientation(plane[0], plane[1], plane[2], scene.position(v)) == Sign::zero;
+    });
+}
+
+}  // namespace
+
+std::array<double, 6> bounds_of_polygon(const Scene& scene, PolygonId polygon) {
+    std::array<double, 6> bounds{};
+    bool first = true;
+    for (VertexId v : scene.loop(polygon)) {
+        const Point& p = scene.position(v);
+        for (int axis = 0; axis < 3; ++axis) {
+            bounds[axis] = first ? p[axis] : std::min(bounds[axis], p[axis]);
+            bounds[axis + 3] = first ? p[axis] : std::max(bounds[axis + 3], p[axis]);
+        }
+        first = false;
+    }
+    return bounds;
+}
+
+std::vector<PolygonId> sheets_on_top(const Scene& scene, PolygonId polygon, const CandidateSource& candidates) {
+    const Polygon& shape = scene.polygon(polygon);
+    if (!shape.valid || !shape.planar) return {};
+    struct Search {
+        const Scene& scene;
+        PolygonId polygon;
+        std::vector<PolygonId> found;
+    } search{scene, polygon, {}};
+    candidates.polygons_in(
+        bounds_of_polygon(scene, polygon),
+        {&search, [](void* context, std::int32_t id) {
+             auto& s = *static_cast<Search*>(context);
+             const Polygon &p = s.scene.polygon(s.polygon), &q = s.scene.polygon(id);
+             // In one plane and facing one way they are seen alike.
+             if (id != s.polygon && q.planar && q.view.axis == p.view.axis && q.view.first == p.view.first)
+                 s.found.push_back(id);
+             return true;
+         }});
+    std::vector<PolygonId> result;
+    const std::array<Point, 3> plane = plane_of(scene, polygon);
+    std::optional<Rational> area;
+    for (PolygonId other : search.found) {
+        if (!lies_in(scene, other, plane)) continue;
+        if (!area) area = doubled_area(scene, polygon, shape.view);
+        const Rational others = doubled_area(scene, other, shape.view);
+        if (others < *area || (others == *area && other > polygon)) result.push_back(other);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+}  // namespace cob::radiosity
