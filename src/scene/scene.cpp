@@ -58,6 +58,8 @@ Judgement judge(std::vector<Point> positions) {
     }
     if (auto triangles = cut_ears(loop))
         judgement.triangles = std::move(*triangles);
+    else if (judgement.planar)
+        judgement.triangles = triangulate_wound(loop);  // such loops turn clockwise somewhere, or twice around
     else
         judgement.refusal = "no triangle can be cut off";
     return judgement;

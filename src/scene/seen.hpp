@@ -48,4 +48,8 @@ using EarTriangle = std::array<std::uint32_t, 3>;
 /// Cuts a loop into triangles by the rule of SPEC 2 (choice 1); nothing where the rule gets stuck.
 std::optional<std::vector<EarTriangle>> cut_ears(const SeenLoop& loop);
 
+/// Triangles that make up a planar polygon whose sides do not cross, whatever its loop: "the closed set of the points
+/// that its loop winds around", either way (SPEC 2).
+std::vector<EarTriangle> triangulate_wound(const SeenLoop& loop);
+
 }  // namespace cob
