@@ -31,6 +31,8 @@ public:
 
 enum class Source : std::uint8_t { all, cgal, embree };
 
+const char* to_text(Source source);
+
 /// Throws InputError for Source::embree where it was built without.
 std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source source);
 

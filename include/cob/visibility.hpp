@@ -16,8 +16,9 @@ namespace cob {
 enum class Visibility : std::uint8_t { clear, grazing, blocked };
 const char* to_text(Visibility visibility);
 
-/// An open segment between two different exact points. Carrying the piece that an end lies on spares arithmetic:
-/// that piece's sign there is known to be zero. The hints must be true.
+/// An open segment between two different exact points. Carrying a piece that an end lies on spares arithmetic: the end
+/// is known to be in its plane, and in those of the other pieces of the same planar polygon. A hint must be true as
+/// far as the plane goes; -1: nothing is known. Hints never change an answer.
 struct Segment {
     ExactPoint from, to;
     PieceId from_piece = -1, to_piece = -1;
@@ -47,6 +48,9 @@ public:
     PolygonId nearest_blocker(const Segment& segment) const;
     /// Every contact in order along the segment.
     std::vector<Contact> contacts(const Segment& segment) const;
+
+    /// Bytes held beside the scene and the source.
+    std::size_t memory() const;
 
 private:
     struct Implementation;

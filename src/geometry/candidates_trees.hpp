@@ -1,0 +1,11 @@
+/// \file
+/// The trees behind make_candidates(), each in a file of its own because its library compiles slowly.
+#pragma once
+
+#include "cob/candidates.hpp"
+
+namespace cob {
+
+std::unique_ptr<CandidateSource> make_cgal_candidates(const Scene& scene);
+
+}  // namespace cob

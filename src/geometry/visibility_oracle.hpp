@@ -1,0 +1,68 @@
+/// \file
+/// The visibility of one segment, gathered piece by piece (SPEC section 6), in any arithmetic.
+#pragma once
+
+#include "cob/candidates.hpp"
+#include "cob/visibility.hpp"
+#include "geometry/visibility_closing.hpp"
+
+namespace cob {
+
+struct VisibilityOracle::Implementation {
+    Implementation(const Scene& scene, const CandidateSource& source) : pieces(scene), candidates(source) {}
+
+    PieceTable pieces;
+    const CandidateSource& candidates;
+};
+
+/// Throws InputError where both ends of the segment are one point.
+void refuse_a_point(const Segment& segment);
+
+/// What a segment has met so far. Pieces may come in any order, each once.
+template <class Signs>
+class Gathering {
+public:
+    explicit Gathering(const Signs& signs) : signs_(signs) {}
+
+    /// False: blocked already, nothing that follows matters.
+    bool add(PieceId piece) {
+        const Touch met = touch(signs_, piece);
+        switch (met.kind) {
+            case Touch::Kind::none:
+                return true;
+            case Touch::Kind::inside:
+                blocked_ = true;
+                return false;
+            case Touch::Kind::in_plane:
+                grazes_ = true;
+                return true;
+            case Touch::Kind::side:
+            case Touch::Kind::corner:
+                sectors_.push_back(sector_of(signs_, piece, met));
+                return true;
+        }
+        return true;
+    }
+    Visibility answer() {
+        if (blocked_ || mark_closing(signs_, sectors_, false)) return Visibility::blocked;
+        return grazes_ || !sectors_.empty() ? Visibility::grazing : Visibility::clear;
+    }
+
+private:
+    const Signs& signs_;
+    Sectors sectors_;
+    bool blocked_ = false, grazes_ = false;
+};
+
+/// The whole answer, over all candidates.
+template <class Signs>
+Visibility visibility_along(const Signs& signs, const CandidateSource& candidates, const Segment& segment) {
+    Gathering<Signs> gathering(signs);
+    candidates.pieces_along(segment.from.nearest(), segment.to.nearest(),
+                            {&gathering, [](void* context, std::int32_t piece) {
+                                 return static_cast<Gathering<Signs>*>(context)->add(piece);
+                             }});
+    return gathering.answer();
+}
+
+}  // namespace cob

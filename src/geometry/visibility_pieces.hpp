@@ -1,0 +1,54 @@
+/// \file
+/// What the visibility of SPEC section 6 keeps of every piece: its plane by three corners, and in binary64 with an
+/// error bound.
+#pragma once
+
+#include "cob/scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cob {
+
+/// The plane of a piece. At `origin` the piece turns strictly left from `last` to `first`, so that
+/// (first - origin) x (last - origin) is a normal that points to the visible side.
+struct PiecePlane {
+    VertexId origin = -1, first = -1, last = -1;
+};
+
+/// The plane in binary64: a point whose difference from the origin is r lies where normal . r says, if that is
+/// beyond error * (the greatest coordinate of r) + size * (how far the point is off in each coordinate).
+struct ApproximatePlane {
+    Point normal;
+    Point origin;
+    double error = 0;  ///< Infinite where binary64 cannot hold the normal.
+    double size = 0;   ///< Sum of the normal's coordinates' absolute values.
+};
+
+class PieceTable {
+public:
+    explicit PieceTable(const Scene& scene);
+
+    const Scene& scene() const { return *scene_; }
+    PiecePlane plane(PieceId piece) const;
+    const ApproximatePlane& approximate(PieceId piece) const { return planes_[static_cast<std::size_t>(piece)]; }
+    /// Known to lie in one plane: pieces of one planar polygon.
+    bool same_plane(PieceId a, PieceId b) const;
+    /// The coordinate axis along which the piece is seen (SPEC 2): its normal is not zero there.
+    int view_axis(PieceId piece) const { return polygon(piece).view.axis; }
+    /// Sign of the normal along that axis.
+    Sign view_side(PieceId piece) const {
+        const View2& view = polygon(piece).view;
+        return view.first == (view.axis + 1) % 3 ? Sign::positive : Sign::negative;
+    }
+    std::size_t memory() const;
+
+private:
+    const Polygon& polygon(PieceId piece) const { return scene_->polygon(scene_->piece(piece).polygon); }
+
+    const Scene* scene_;
+    std::vector<ApproximatePlane> planes_;
+    std::vector<std::uint32_t> turn_;  ///< The corner of every piece that is the plane's origin.
+};
+
+}  // namespace cob

@@ -1,0 +1,177 @@
+/// \file
+/// Every sign that the visibility of one segment rests on, in any arithmetic, and the fast ones of the exact product.
+///
+/// x, y are the ends of the segment, d = y - x.
+#pragma once
+
+#include "cob/visibility.hpp"
+#include "geometry/difference_signs.hpp"
+#include "geometry/visibility_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cob {
+
+enum class End : std::uint8_t { from, to };
+
+/// A ray from a point of contact: only its direction matters, from one vertex towards another.
+struct Ray {
+    VertexId from, to;
+    friend Ray operator-(const Ray& ray) { return {ray.to, ray.from}; }
+};
+
+/// Exact arithmetic: filter, integers, fractions.
+struct ExactArithmetic {
+    SignContext context;
+
+    Sign sign(const Triple& triple) const { return sign_of(triple, context); }
+    Sign component(const Difference& p, const Difference& q, int axis) const {
+        return cross_component(p, q, axis, context);
+    }
+    Sign determinant(const Triple& a, const Triple& b, const Triple& c, const Triple& d) const {
+        return sign_of_determinant(a, b, c, d, context);
+    }
+    bool same_direction(const Difference& p, const Difference& q) const {
+        return cob::same_direction(p, q, context);
+    }
+};
+
+/// The signs by their formulas, in whatever arithmetic.
+template <class Arithmetic>
+class SegmentSigns {
+public:
+    SegmentSigns(const PieceTable& pieces, const Segment& segment, Arithmetic arithmetic)
+        : pieces_(&pieces), from_(segment.from), to_(segment.to), arithmetic_(arithmetic) {}
+
+    const PieceTable& pieces() const { return *pieces_; }
+    const Scene& scene() const { return pieces_->scene(); }
+
+    /// On which side of the piece's plane an end lies; positive: the visible one.
+    Sign end_side(PieceId piece, End end) const { return arithmetic_.sign(to_plane(piece, end)); }
+    /// det(d, a - x, b - x): how the line of the segment passes the line from a to b.
+    Sign line_side(VertexId a, VertexId b) const {
+        return arithmetic_.sign({direction(), {from_, position(a)}, {from_, position(b)}});
+    }
+    /// det(d, s, t): seen along d, t lies to the left (+), right (-) or along the line (0) of s.
+    Sign turn(const Ray& s, const Ray& t) const {
+        return arithmetic_.sign({direction(), difference(s), difference(t)});
+    }
+    /// The two rays, from one point, are one ray in space.
+    bool same_ray(const Ray& s, const Ray& t) const {
+        return (position(s.from) == position(t.from) && position(s.to) == position(t.to)) ||
+               arithmetic_.same_direction(difference(s), difference(t));
+    }
+    /// Sides of a piece, seen along an axis along which its normal is not zero, have one direction or the opposite.
+    bool parallel(const Ray& s, const Ray& t, int axis) const {
+        return arithmetic_.component(difference(s), difference(t), axis) == Sign::zero;
+    }
+    /// In the plane of a piece, seen along that axis: on which side of the line from a to b an end lies.
+    Sign flat_side(VertexId a, VertexId b, End end, int axis) const {
+        return arithmetic_.component({position(a), position(b)}, {position(a), point(end)}, axis);
+    }
+    /// The same of a vertex and the line of the segment.
+    Sign flat_side(VertexId a, int axis) const {
+        return arithmetic_.component(direction(), {from_, position(a)}, axis);
+    }
+    /// Sign of t_a - t_b, the parameters at which the segment crosses the planes of two pieces; both are crossed.
+    Sign compare_parameters(PieceId a, PieceId b) const {
+        // With s the triple of an end, t = s(x) / (s(x) - s(y)), and the sign of the denominator is that of s(x).
+        const Sign numerator = arithmetic_.determinant(to_plane(b, End::from), to_plane(a, End::from),
+                                                       to_plane(b, End::to), to_plane(a, End::to));
+        return numerator * end_side(a, End::from) * end_side(b, End::from);
+    }
+    /// Vertices at one position.
+    bool same_position(VertexId a, VertexId b) const { return a == b || position(a) == position(b); }
+
+protected:
+    const Point& position(VertexId vertex) const { return scene().position(vertex); }
+    const PointReference& point(End end) const { return end == End::from ? from_ : to_; }
+    Difference direction() const { return {from_, to_}; }
+    Difference difference(const Ray& ray) const { return {position(ray.from), position(ray.to)}; }
+    Triple to_plane(PieceId piece, End end) const {
+        const PiecePlane plane = pieces_->plane(piece);
+        const Point& origin = position(plane.origin);
+        return {{origin, point(end)}, {origin, position(plane.first)}, {origin, position(plane.last)}};
+    }
+
+    const PieceTable* pieces_;
+    PointReference from_, to_;
+    Arithmetic arithmetic_;
+};
+
+/// The exact signs, fast: filters on prepared planes and differences; ends that are known to lie on a piece, or are
+/// a corner of it, cost no arithmetic.
+class ExactSigns : public SegmentSigns<ExactArithmetic> {
+    using Base = SegmentSigns<ExactArithmetic>;
+
+public:
+    ExactSigns(const PieceTable& pieces, const Segment& segment, const SignContext& context)
+        : Base(pieces, segment, ExactArithmetic{context}),
+          from_piece_(segment.from_piece),
+          to_piece_(segment.to_piece),
+          d_(to_.nearest() - from_.nearest()),
+          from_rest_(rest(from_)),
+          to_rest_(rest(to_)) {
+        d_size_ = greatest(d_);
+        // Where d is out of the filters' range no product with it is trusted.
+        const bool in_range = d_size_ > 1e-97 && d_size_ < 1e102;
+        if (!in_range) d_size_ = std::numeric_limits<double>::quiet_NaN();
+    }
+
+    Sign end_side(PieceId piece, End end) const {
+        if (pieces_->same_plane(piece, end == End::from ? from_piece_ : to_piece_)) return Sign::zero;
+        const ApproximatePlane& plane = pieces_->approximate(piece);
+        const Point r = point(end).nearest() - plane.origin;
+        const double off = end == End::from ? from_rest_ : to_rest_;
+        const double value = plane.normal.x * r.x + plane.normal.y * r.y + plane.normal.z * r.z;
+        const double bound = plane.error * (greatest(r) + off) + plane.size * off + 1e-300;
+        if (std::abs(value) > bound) {  // false where anything overflowed
+            ++arithmetic_.context.counters->filtered;
+            return value > 0 ? Sign::positive : Sign::negative;
+        }
+        if (is_corner(piece, end)) return Sign::zero;
+        return exact_sign_of(to_plane(piece, end), arithmetic_.context);
+    }
+
+    Sign line_side(VertexId a, VertexId b) const {
+        const Point r = position(a) - from_.nearest(), s = position(b) - from_.nearest();
+        const double value = d_.x * (r.y * s.z - r.z * s.y) + d_.y * (r.z * s.x - r.x * s.z) +
+                             d_.z * (r.x * s.y - r.y * s.x);
+        const double r_size = greatest(r), s_size = greatest(s);
+        // As in the general filter, with the greatest entries of rows instead of columns.
+        double bound = 5.5e-15 * d_size_ * r_size * s_size + 1e-300;
+        if (from_rest_ > 0 || to_rest_ > 0) {
+            const double off = from_rest_ + to_rest_, rows = (r_size + off) * (s_size + off);
+            bound += 6.1 * off * (rows + (d_size_ + off) * (r_size + s_size + off));
+        }
+        // Below 1e-97 something may have underflowed unseen.
+        const bool in_range = r_size > 1e-97 && s_size > 1e-97 && r_size < 1e102 && s_size < 1e102;
+        if (in_range && std::abs(value) > bound) {
+            ++arithmetic_.context.counters->filtered;
+            return value > 0 ? Sign::positive : Sign::negative;
+        }
+        return exact_sign_of({direction(), {from_, position(a)}, {from_, position(b)}}, arithmetic_.context);
+    }
+
+private:
+    static double greatest(const Point& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+    /// How far nearest() is off in each coordinate, at most.
+    static double rest(const PointReference& point) {
+        if (!point.inexact()) return 0;
+        return 2 * greatest(point.inexact()->rest()) + std::numeric_limits<double>::denorm_min();
+    }
+    bool is_corner(PieceId piece, End end) const {
+        if (point(end).inexact()) return false;
+        for (const VertexId corner : scene().corners(scene().piece(piece)))
+            if (position(corner) == point(end).nearest()) return true;
+        return false;
+    }
+
+    PieceId from_piece_, to_piece_;
+    Point d_;
+    double d_size_;
+    double from_rest_, to_rest_;
+};
+
+}  // namespace cob
