@@ -6,6 +6,7 @@
 #include "cob/geometry.hpp"
 #include "cob/scene.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -33,6 +34,24 @@ struct Contact {
     Rational parameter;  ///< Where along the segment, in (0, 1); of in_plane contact, where it begins.
 };
 
+/// A contact and what it contributes.
+struct ExplainedContact {
+    Contact contact;
+    Rational last;                   ///< Of in_plane contact: the parameter where it ends; else that of the contact.
+    bool from_visible_side = false;  ///< Where the plane is crossed: the segment comes from the visible side.
+    bool blocks = false;             ///< Crossed inside, or one of the pieces that close around this point.
+    /// At a side or corner: the rays from the point, each as a direction from one vertex towards another, between
+    /// which, seen along the segment, the piece's local sector extends counter-clockwise.
+    std::array<VertexId, 2> begin{-1, -1}, end{-1, -1};
+};
+
+/// Why the answer is what it is.
+struct Explanation {
+    Visibility visibility = Visibility::clear;
+    std::vector<Contact> contacts;          ///< In order along the segment, then by piece.
+    std::vector<ExplainedContact> details;  ///< Of the same contacts.
+};
+
 class CandidateSource;  // cob/candidates.hpp
 
 /// Answers segments against one scene; thread-safe after construction. The scene and the source must outlive it.
@@ -43,11 +62,15 @@ public:
 
     /// Throws InputError where both ends are one point.
     Visibility operator()(const Segment& segment, PredicateCounters* counters = nullptr) const;
+    /// As if the scene were this polygon alone.
     Visibility against(PolygonId polygon, const Segment& segment) const;
-    /// The first polygon along the segment, from its beginning, that blocks it by itself; none: no_polygon.
+    /// The first polygon along the segment, from its beginning, that blocks it by itself; of several at one point the
+    /// lowest; none: no_polygon.
     PolygonId nearest_blocker(const Segment& segment) const;
     /// Every contact in order along the segment.
     std::vector<Contact> contacts(const Segment& segment) const;
+    /// The same with what each contact contributes.
+    Explanation explain(const Segment& segment) const;
 
     /// Bytes held beside the scene and the source.
     std::size_t memory() const;

@@ -41,7 +41,8 @@ struct FixedInteger {
         for (int k = 0; k < limbs; ++k) {
             const std::uint64_t difference = limb[k] - other.limb[k];
             const std::uint64_t total = difference - borrow;
-            borrow = static_cast<std::uint64_t>(limb[k] < other.limb[k]) + static_cast<std::uint64_t>(difference < borrow);
+            borrow =
+                static_cast<std::uint64_t>(limb[k] < other.limb[k]) + static_cast<std::uint64_t>(difference < borrow);
             limb[k] = total;
         }
         return *this;
@@ -70,7 +71,8 @@ FixedInteger<n + m> operator*(const FixedInteger<n>& a, const FixedInteger<m>& b
             std::uint64_t& word = product.limb[from + k];
             const std::uint64_t difference = word - factor.limb[k];
             const std::uint64_t total = difference - borrow;
-            borrow = static_cast<std::uint64_t>(word < factor.limb[k]) + static_cast<std::uint64_t>(difference < borrow);
+            borrow =
+                static_cast<std::uint64_t>(word < factor.limb[k]) + static_cast<std::uint64_t>(difference < borrow);
             word = total;
         }
     };

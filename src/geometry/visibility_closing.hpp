@@ -17,8 +17,8 @@ struct Sector {
     PieceId piece;
     Touch touch;
     Ray begin, end;
-    VertexId corner;       ///< The point of contact where it is a corner, else -1.
-    bool closes = false;   ///< Set by the check: belongs to a point at which the pieces close.
+    VertexId corner;      ///< The point of contact where it is a corner, else -1.
+    bool closes = false;  ///< Set by the check: belongs to a point at which the pieces close.
 };
 
 using Sectors = boost::container::small_vector<Sector, 8>;

@@ -43,8 +43,8 @@ std::uint32_t strict_turn(const Scene& scene, const Piece& piece) {
     double best_size = -1;
     for (std::size_t k = 0; k < count; ++k) {
         const Point& p = scene.position(corner(corners, k));
-        const double size = sum(cross(scene.position(corner(corners, k + 1)) - p,
-                                      scene.position(corner(corners, k + count - 1)) - p));
+        const double size =
+            sum(cross(scene.position(corner(corners, k + 1)) - p, scene.position(corner(corners, k + count - 1)) - p));
         if (size > best_size) best = k, best_size = size;
     }
     // A convex piece never turns right nor back, so that a turn at all is a turn to the left.
@@ -80,8 +80,7 @@ PieceTable::PieceTable(const Scene& scene) : scene_(&scene) {
     for (PieceId id = 0; id < static_cast<PieceId>(scene.pieces().size()); ++id) {
         turn_.push_back(strict_turn(scene, scene.piece(id)));
         const PiecePlane p = plane(id);
-        planes_.push_back(
-            approximate_plane(scene.position(p.origin), scene.position(p.first), scene.position(p.last)));
+        planes_.push_back(approximate_plane(scene.position(p.origin), scene.position(p.first), scene.position(p.last)));
     }
 }
 

@@ -32,9 +32,7 @@ struct ExactArithmetic {
     Sign determinant(const Triple& a, const Triple& b, const Triple& c, const Triple& d) const {
         return sign_of_determinant(a, b, c, d, context);
     }
-    bool same_direction(const Difference& p, const Difference& q) const {
-        return cob::same_direction(p, q, context);
-    }
+    bool same_direction(const Difference& p, const Difference& q) const { return cob::same_direction(p, q, context); }
 };
 
 /// The signs by their formulas, in whatever arithmetic.
@@ -136,8 +134,8 @@ public:
 
     Sign line_side(VertexId a, VertexId b) const {
         const Point r = position(a) - from_.nearest(), s = position(b) - from_.nearest();
-        const double value = d_.x * (r.y * s.z - r.z * s.y) + d_.y * (r.z * s.x - r.x * s.z) +
-                             d_.z * (r.x * s.y - r.y * s.x);
+        const double value =
+            d_.x * (r.y * s.z - r.z * s.y) + d_.y * (r.z * s.x - r.x * s.z) + d_.z * (r.x * s.y - r.y * s.x);
         const double r_size = greatest(r), s_size = greatest(s);
         // As in the general filter, with the greatest entries of rows instead of columns.
         double bound = 5.5e-15 * d_size_ * r_size * s_size + 1e-300;

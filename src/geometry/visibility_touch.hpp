@@ -19,8 +19,8 @@ struct Touch {
         in_plane,  ///< Runs within the plane and meets the piece.
     };
     Kind kind = Kind::none;
-    int index = -1;             ///< Of the side or corner.
-    Sign begins = Sign::zero;   ///< Where it crosses: the side of the plane that it comes from.
+    int index = -1;            ///< Of the side or corner.
+    Sign begins = Sign::zero;  ///< Where it crosses: the side of the plane that it comes from.
 };
 
 namespace detail {
