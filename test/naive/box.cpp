@@ -1,0 +1,254 @@
+#include "naive/box.hpp"
+
+#include <algorithm>
+
+namespace cob::naive {
+
+Box prepare(const BoxQuestion& question) {
+    Box box;
+    box.corners = question.corners;
+    const auto& corners = box.corners;
+    const std::size_t count = corners.size();
+    box.origin = corners.front();
+    box.u = question.u;
+    Loop around;  // Newell's normal of the corners is twice their area, whatever the origin.
+    for (const RationalPoint& corner : corners) around.push_back(corner - box.origin);
+    box.n = newell(around);
+    box.w = cross(box.n, box.u);
+    if (box.n == RationalPoint{} || box.u == RationalPoint{}) box.refused = "no area or no direction";
+    if (dot(box.u, box.n) != 0) box.refused = "u is not perpendicular to the normal";
+    for (std::size_t k = 0; k < count; ++k) {
+        const RationalPoint side = around[(k + 1) % count] - around[k];
+        const RationalPoint next = around[(k + 2) % count] - around[(k + 1) % count];
+        const Rational bend = dot(box.n, cross(side, next));
+        if (dot(box.n, around[k]) != 0) box.refused = "the corners are not coplanar";
+        if (bend < 0 || (bend == 0 && dot(side, next) <= 0)) box.refused = "the corners are not convex";
+    }
+    if (!box.refused.empty()) return box;
+
+    // "Along u and w: the element's extents, each widened on both sides by margin x that extent."
+    const auto widened = [&](const RationalPoint& direction, Rational& low, Rational& high) {
+        low = high = 0;
+        for (const RationalPoint& corner : around) {
+            const Rational along = dot(direction, corner);
+            low = std::min(low, along);
+            high = std::max(high, along);
+        }
+        const Rational extra = question.margin * (high - low);
+        low -= extra;
+        high += extra;
+        return Rational((high - low) * (high - low) / dot(direction, direction));  // squared true length
+    };
+    const Rational length_u = widened(box.u, box.low_u, box.high_u);
+    const Rational length_w = widened(box.w, box.low_w, box.high_w);
+    // "Up to h = height x (the shorter of the two widened extents)", times |n| in this frame.
+    box.top_squared = question.height * question.height * std::min(length_u, length_w) * dot(box.n, box.n);
+    return box;
+}
+
+const char* to_text(Relation relation) {
+    static const char* const names[] = {"disjoint", "base", "coplanar", "boundary", "crossing"};
+    return names[static_cast<int>(relation)];
+}
+
+const char* to_text(Shared shared) {
+    static const char* const names[] = {"none", "vertex", "edge"};
+    return names[static_cast<int>(shared)];
+}
+
+namespace {
+
+/// A convex polygon, segment or point as its corners in the box's frame, each perhaps repeated.
+template <class Number>
+using Corners = std::vector<Vector3<Number>>;
+
+/// Sutherland and Hodgman (Reentrant polygon clipping, 1974): the part in the closed half-space where the value is
+/// not negative. What only touches it leaves the points that touch.
+template <class Number, class Value>
+Corners<Number> clip(const Corners<Number>& polygon, Value value) {
+    Corners<Number> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const auto &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+        const Number at_a = value(a), at_b = value(b);
+        if (at_a >= 0) kept.push_back(a);
+        if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0))
+            kept.push_back(a + Number(at_a / (at_a - at_b)) * (b - a));
+    }
+    return kept;
+}
+
+Corners<Rational> in_frame(const Loop& piece, const Box& box) {
+    Corners<Rational> result;
+    for (const RationalPoint& corner : piece) {
+        const RationalPoint from_origin = corner - box.origin;
+        result.push_back({dot(box.u, from_origin), dot(box.w, from_origin), dot(box.n, from_origin)});
+    }
+    return result;
+}
+
+using Frame = Vector3<Rational>;
+
+/// The part of a piece that stands over, in or under the closed base rectangle.
+Corners<Rational> over_rectangle(const Corners<Rational>& piece, const Box& box) {
+    auto part = clip(piece, [&](const Frame& p) { return Rational(p.x - box.low_u); });
+    part = clip(part, [&](const Frame& p) { return Rational(box.high_u - p.x); });
+    part = clip(part, [&](const Frame& p) { return Rational(p.y - box.low_w); });
+    return clip(part, [&](const Frame& p) { return Rational(box.high_w - p.y); });
+}
+
+/// The same below the closed top: coordinates from here on contain the root that the height is.
+Corners<Surd> below_top(const Corners<Rational>& part, const Surd& top) {
+    Corners<Surd> kept;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        const Frame &a = part[k], &b = part[(k + 1) % part.size()];
+        const int at_a = (top - a.z).sign(), at_b = (top - b.z).sign();
+        if (at_a >= 0) kept.push_back({a.x, a.y, a.z});
+        if (at_a * at_b < 0) {
+            const Surd parameter = (top - a.z) / Rational(b.z - a.z);
+            const auto between = [&](const Rational& from, const Rational& to) {
+                return Surd(from) + parameter * Rational(to - from);
+            };
+            kept.push_back({between(a.x, b.x), between(a.y, b.y), top});
+        }
+    }
+    return kept;
+}
+
+/// The relation of one piece. The closed part of a convex piece in the closed box has a middle, the mean of its
+/// corners; the piece meets the open interior exactly where this middle does.
+Relation relate(const Corners<Rational>& piece, bool in_plane, const Box& box) {
+    const auto above = clip(over_rectangle(piece, box), [](const Frame& p) { return p.z; });
+    const Surd top = Surd::root(box.top_squared);
+    const Corners<Surd> part = below_top(above, top);
+    if (part.empty()) return Relation::disjoint;
+
+    Surd u, w, z;
+    bool off_base = false;
+    for (const auto& corner : part) {
+        u = u + corner.x;
+        w = w + corner.y;
+        z = z + corner.z;
+        off_base = off_base || corner.z.sign() > 0;
+    }
+    const Rational count = part.size();
+    u = u / count;
+    w = w / count;
+    z = z / count;
+    if (Surd(box.low_u) < u && u < box.high_u && Surd(box.low_w) < w && w < box.high_w && z.sign() > 0 && z < top)
+        return Relation::crossing;
+    if (off_base) return Relation::boundary;
+    return in_plane ? Relation::coplanar : Relation::base;
+}
+
+/// What a convex polygon leaves of another, in the plane, as convex polygons of positive area.
+std::vector<Corners<Rational>> subtract(const Corners<Rational>& from, const Corners<Rational>& taken) {
+    const auto area = [](const Corners<Rational>& polygon) {
+        Rational sum = 0;
+        for (std::size_t k = 0; k < polygon.size(); ++k) sum += cross(polygon[k], polygon[(k + 1) % polygon.size()]).z;
+        return sum;
+    };
+    std::vector<Corners<Rational>> result;
+    const int orientation = area(taken).sign();
+    if (orientation == 0) return {from};
+    Corners<Rational> rest = from;
+    for (std::size_t k = 0; k < taken.size() && !rest.empty(); ++k) {
+        const Frame &a = taken[k], &b = taken[(k + 1) % taken.size()];
+        const auto inside = [&](const Frame& p) { return Rational(cross(b - a, p - a).z * orientation); };
+        const Corners<Rational> cut = clip(rest, [&](const Frame& p) { return Rational(-inside(p)); });
+        if (area(cut) != 0) result.push_back(cut);
+        rest = clip(rest, inside);
+    }
+    return result;
+}
+
+}  // namespace
+
+Relation relate(const Polygon& polygon, const Box& box) {
+    std::vector<Corners<Rational>> pieces;
+    bool in_plane = true;
+    for (const Piece& piece : polygon.pieces) {
+        pieces.push_back(in_frame(piece.corners, box));
+        for (const Frame& corner : pieces.back()) in_plane = in_plane && corner.z == 0;
+    }
+    Relation strongest = Relation::disjoint;
+    for (const auto& piece : pieces) strongest = std::max(strongest, relate(piece, in_plane, box));
+    return strongest;
+}
+
+bool covers(const Polygon& polygon, const Box& box) {
+    const Surd top = Surd::root(box.top_squared);
+    std::vector<Corners<Rational>> uncovered{{{box.low_u, box.low_w, 0},
+                                              {box.high_u, box.low_w, 0},
+                                              {box.high_u, box.high_w, 0},
+                                              {box.low_u, box.high_w, 0}}};
+    for (const Piece& piece : polygon.pieces) {
+        Corners<Rational> over = over_rectangle(in_frame(piece.corners, box), box);
+        for (Frame& corner : over) {
+            if (corner.z <= 0 || (top - corner.z).sign() < 0) return false;
+            corner.z = 0;
+        }
+        std::vector<Corners<Rational>> rest;
+        for (const auto& part : uncovered)
+            for (auto& left : subtract(part, over)) rest.push_back(std::move(left));
+        uncovered = std::move(rest);
+    }
+    return uncovered.empty();
+}
+
+namespace {
+
+/// Two closed segments of positive length share a segment (edge), a point (vertex) or nothing.
+Shared shared(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+    const RationalPoint ab = b - a, cd = d - c, ac = c - a, normal = cross(ab, cd);
+    if (normal == RationalPoint{}) {
+        if (cross(ab, ac) != RationalPoint{}) return Shared::none;
+        const Rational at_c = dot(ab, c - a), at_d = dot(ab, d - a);
+        const Rational overlap =
+            std::min<Rational>(dot(ab, ab), std::max(at_c, at_d)) - std::max<Rational>(0, std::min(at_c, at_d));
+        return overlap > 0 ? Shared::edge : overlap == 0 ? Shared::vertex : Shared::none;
+    }
+    if (dot(ac, normal) != 0) return Shared::none;
+    const Rational length = dot(normal, normal);
+    const Rational on_ab = dot(cross(ac, cd), normal), on_cd = dot(cross(ac, ab), normal);
+    return on_ab >= 0 && on_ab <= length && on_cd >= 0 && on_cd <= length ? Shared::vertex : Shared::none;
+}
+
+}  // namespace
+
+Shared shared(const Polygon& a, const Polygon& b) {
+    Shared strongest = Shared::none;
+    for (std::size_t i = 0; i < a.loop.size(); ++i)
+        for (std::size_t j = 0; j < b.loop.size(); ++j)
+            strongest = std::max(strongest, shared(a.loop[i], a.loop[(i + 1) % a.loop.size()], b.loop[j],
+                                                   b.loop[(j + 1) % b.loop.size()]));
+    return strongest;
+}
+
+bool faces(const Polygon& light, const Box& box) {
+    for (const Piece& piece : light.pieces)
+        for (const RationalPoint& corner : box.corners)
+            if (dot(piece.normal, corner - piece.corners.front()) > 0) return true;
+    return false;
+}
+
+State state(const std::vector<SceneItem>& scene, int own_polygon, const Box& box) {
+    State result;
+    for (int id = 0; id < static_cast<int>(scene.size()); ++id) {
+        const SceneItem& item = scene[static_cast<std::size_t>(id)];
+        if (id == own_polygon || !item.polygon.refused.empty()) continue;
+        const Relation relation = relate(item.polygon, box);
+        if (relation != Relation::crossing && relation != Relation::boundary) continue;
+        result.close.push_back(id);
+        if (covers(item.polygon, box)) result.cover.push_back(id);
+        if (item.emits && faces(item.polygon, box)) result.light.push_back(id);
+    }
+    if (!result.cover.empty() && result.light.empty()) {
+        result.name = "occluded";
+        result.close.clear();
+    } else if (!result.close.empty()) {
+        result.name = "close";
+    }
+    return result;
+}
+
+}  // namespace cob::naive
