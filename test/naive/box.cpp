@@ -1,5 +1,7 @@
 #include "naive/box.hpp"
 
+#include "naive/clip.hpp"
+
 #include <algorithm>
 
 namespace cob::naive {
@@ -58,27 +60,8 @@ const char* to_text(Shared shared) {
 
 namespace {
 
-/// A convex polygon, segment or point as its corners in the box's frame, each perhaps repeated.
-template <class Number>
-using Corners = std::vector<Vector3<Number>>;
-
-/// Sutherland and Hodgman (Reentrant polygon clipping, 1974): the part in the closed half-space where the value is
-/// not negative. What only touches it leaves the points that touch.
-template <class Number, class Value>
-Corners<Number> clip(const Corners<Number>& polygon, Value value) {
-    Corners<Number> kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const auto &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-        const Number at_a = value(a), at_b = value(b);
-        if (at_a >= 0) kept.push_back(a);
-        if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0))
-            kept.push_back(a + Number(at_a / (at_a - at_b)) * (b - a));
-    }
-    return kept;
-}
-
-Corners<Rational> in_frame(const Loop& piece, const Box& box) {
-    Corners<Rational> result;
+Corners in_frame(const Loop& piece, const Box& box) {
+    Corners result;
     for (const RationalPoint& corner : piece) {
         const RationalPoint from_origin = corner - box.origin;
         result.push_back({dot(box.u, from_origin), dot(box.w, from_origin), dot(box.n, from_origin)});
@@ -86,10 +69,10 @@ Corners<Rational> in_frame(const Loop& piece, const Box& box) {
     return result;
 }
 
-using Frame = Vector3<Rational>;
+using Frame = RationalPoint;  ///< In the box's frame.
 
 /// The part of a piece that stands over, in or under the closed base rectangle.
-Corners<Rational> over_rectangle(const Corners<Rational>& piece, const Box& box) {
+Corners over_rectangle(const Corners& piece, const Box& box) {
     auto part = clip(piece, [&](const Frame& p) { return Rational(p.x - box.low_u); });
     part = clip(part, [&](const Frame& p) { return Rational(box.high_u - p.x); });
     part = clip(part, [&](const Frame& p) { return Rational(p.y - box.low_w); });
@@ -97,8 +80,8 @@ Corners<Rational> over_rectangle(const Corners<Rational>& piece, const Box& box)
 }
 
 /// The same below the closed top: coordinates from here on contain the root that the height is.
-Corners<Surd> below_top(const Corners<Rational>& part, const Surd& top) {
-    Corners<Surd> kept;
+std::vector<Vector3<Surd>> below_top(const Corners& part, const Surd& top) {
+    std::vector<Vector3<Surd>> kept;
     for (std::size_t k = 0; k < part.size(); ++k) {
         const Frame &a = part[k], &b = part[(k + 1) % part.size()];
         const int at_a = (top - a.z).sign(), at_b = (top - b.z).sign();
@@ -116,10 +99,10 @@ Corners<Surd> below_top(const Corners<Rational>& part, const Surd& top) {
 
 /// The relation of one piece. The closed part of a convex piece in the closed box has a middle, the mean of its
 /// corners; the piece meets the open interior exactly where this middle does.
-Relation relate(const Corners<Rational>& piece, bool in_plane, const Box& box) {
+Relation relate(const Corners& piece, bool in_plane, const Box& box) {
     const auto above = clip(over_rectangle(piece, box), [](const Frame& p) { return p.z; });
     const Surd top = Surd::root(box.top_squared);
-    const Corners<Surd> part = below_top(above, top);
+    const auto part = below_top(above, top);
     if (part.empty()) return Relation::disjoint;
 
     Surd u, w, z;
@@ -140,31 +123,10 @@ Relation relate(const Corners<Rational>& piece, bool in_plane, const Box& box) {
     return in_plane ? Relation::coplanar : Relation::base;
 }
 
-/// What a convex polygon leaves of another, in the plane, as convex polygons of positive area.
-std::vector<Corners<Rational>> subtract(const Corners<Rational>& from, const Corners<Rational>& taken) {
-    const auto area = [](const Corners<Rational>& polygon) {
-        Rational sum = 0;
-        for (std::size_t k = 0; k < polygon.size(); ++k) sum += cross(polygon[k], polygon[(k + 1) % polygon.size()]).z;
-        return sum;
-    };
-    std::vector<Corners<Rational>> result;
-    const int orientation = area(taken).sign();
-    if (orientation == 0) return {from};
-    Corners<Rational> rest = from;
-    for (std::size_t k = 0; k < taken.size() && !rest.empty(); ++k) {
-        const Frame &a = taken[k], &b = taken[(k + 1) % taken.size()];
-        const auto inside = [&](const Frame& p) { return Rational(cross(b - a, p - a).z * orientation); };
-        const Corners<Rational> cut = clip(rest, [&](const Frame& p) { return Rational(-inside(p)); });
-        if (area(cut) != 0) result.push_back(cut);
-        rest = clip(rest, inside);
-    }
-    return result;
-}
-
 }  // namespace
 
 Relation relate(const Polygon& polygon, const Box& box) {
-    std::vector<Corners<Rational>> pieces;
+    std::vector<Corners> pieces;
     bool in_plane = true;
     for (const Piece& piece : polygon.pieces) {
         pieces.push_back(in_frame(piece.corners, box));
@@ -177,22 +139,18 @@ Relation relate(const Polygon& polygon, const Box& box) {
 
 bool covers(const Polygon& polygon, const Box& box) {
     const Surd top = Surd::root(box.top_squared);
-    std::vector<Corners<Rational>> uncovered{{{box.low_u, box.low_w, 0},
-                                              {box.high_u, box.low_w, 0},
-                                              {box.high_u, box.high_w, 0},
-                                              {box.low_u, box.high_w, 0}}};
+    std::vector<Corners> hidden;
     for (const Piece& piece : polygon.pieces) {
-        Corners<Rational> over = over_rectangle(in_frame(piece.corners, box), box);
+        Corners over = over_rectangle(in_frame(piece.corners, box), box);
         for (Frame& corner : over) {
             if (corner.z <= 0 || (top - corner.z).sign() < 0) return false;
             corner.z = 0;
         }
-        std::vector<Corners<Rational>> rest;
-        for (const auto& part : uncovered)
-            for (auto& left : subtract(part, over)) rest.push_back(std::move(left));
-        uncovered = std::move(rest);
+        hidden.push_back(over);
     }
-    return uncovered.empty();
+    const Corners rectangle{
+        {box.low_u, box.low_w, 0}, {box.high_u, box.low_w, 0}, {box.high_u, box.high_w, 0}, {box.low_u, box.high_w, 0}};
+    return subtract_all(rectangle, hidden).empty();
 }
 
 namespace {
