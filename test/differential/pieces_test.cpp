@@ -65,7 +65,7 @@ void compare_pieces(const std::vector<Point>& corners, const std::string& what, 
 }
 
 TEST(PiecesAgainstTwin, AdversarialPolygons) {
-    const Tally tally = run_cases(0, 15000 * length, [](std::uint64_t seed, Tally& sum) {
+    const Tally tally = run_cases(0, 5000 * length, [](std::uint64_t seed, Tally& sum) {
         compare_pieces(naive::polygon_case(seed), "polygon case " + std::to_string(seed), sum);
     });
     expect_no_difference(tally);

@@ -1,0 +1,105 @@
+// SPEC 4 and 5: relation, covers, shared, facing lights and the state of the buffer, against the naive twin.
+#include "differential/run.hpp"
+#include "differential/scenes.hpp"
+
+#include "cob/candidates.hpp"
+#include "cob/classification.hpp"
+#include "cob/error.hpp"
+#include "cob/geometry.hpp"
+
+namespace cob::test {
+namespace {
+
+/// Nothing where SPEC 4 refuses the question.
+std::optional<Box> library_box(const naive::BoxQuestion& question) {
+    BoxQuestion result;
+    result.polygon = question.polygon;
+    result.corners.count = static_cast<int>(question.corners.size());
+    for (std::size_t k = 0; k < question.corners.size(); ++k)
+        result.corners.points[k] = ExactPoint(question.corners[k]);
+    result.u = ExactPoint(question.u);
+    result.margin = question.margin;
+    result.height = question.height;
+    try {
+        return Box(result);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+template <class Ids>
+std::string joined(const Ids& ids) {
+    std::string text;
+    for (const int id : ids) text += std::to_string(id) + " ";
+    return text;
+}
+
+/// One row of states.csv.
+std::string row(const char* state, const std::string& close, const std::string& cover, const std::string& light) {
+    return std::string(state) + "," + (state == std::string("occluded") ? "" : close) + "," + cover + "," + light;
+}
+
+/// One box of a case: every polygon by itself, then all of them.
+void compare_box(const naive::BoxQuestion& question, const Scene& scene, const CandidateSource& source,
+                 const std::vector<naive::SceneItem>& items, const std::string& where, Tally& sum) {
+    const std::optional<Box> box = library_box(question);
+    const naive::Box twin = naive::prepare(question);
+    sum.compare(box ? "box" : "no box", twin.refused.empty() ? "box" : "no box", where + " " + twin.refused);
+    if (!box || !twin.refused.empty()) return;
+
+    for (PolygonId id = 0; id < scene.polygon_count(); ++id) {
+        const naive::SceneItem& item = items[static_cast<std::size_t>(id)];
+        if (id == question.polygon || !scene.polygon(id).valid) continue;
+        const std::string at = where + " polygon " + std::to_string(id);
+        const BoxAnswer answer = relate(scene, id, *box);
+        const naive::Relation relation = naive::relate(item.polygon, twin);
+        sum.compare(to_text(answer.relation), naive::to_text(relation), at);
+        if (relation >= naive::Relation::boundary)
+            sum.compare(answer.covers ? "covers" : "does not cover",
+                        naive::covers(item.polygon, twin) ? "covers" : "does not cover", at);
+        sum.compare(faces(scene, id, *box) ? "faces" : "turned away",
+                    naive::faces(item.polygon, twin) ? "faces" : "turned away", at);
+        if (question.polygon >= 0 && scene.polygon(question.polygon).valid)
+            sum.compare(
+                to_text(shared(scene, id, question.polygon)),
+                naive::to_text(naive::shared(item.polygon, items[static_cast<std::size_t>(question.polygon)].polygon)),
+                at);
+    }
+
+    BoxClassifier classifier(scene);
+    Classification classification;
+    classifier.from_scene(*box, source, classification);
+    const naive::State state = naive::state(items, question.polygon, twin);
+    sum.count(state.name);
+    const std::string expected = row(state.name, joined(state.close), joined(state.cover), joined(state.light));
+    const std::string found = row(to_text(classification.state), joined(classification.close),
+                                  joined(classification.cover), joined(classification.light));
+    sum.compare(found == expected ? "same state" : found, found == expected ? "same state" : expected, where);
+}
+
+TEST(RelationsAgainstTwin, AdversarialBoxes) {
+    const std::uint64_t pairs_per_case = 18;
+    const Tally tally = run_cases(0, 100000 * length / pairs_per_case, [](std::uint64_t seed, Tally& sum) {
+        const naive::BoxCase question = naive::box_case(seed);
+        const Scene scene = library_scene(question.faces);
+        const auto source = make_candidates(scene, seed % 2 == 0 ? Source::all : Source::cgal);
+        std::vector<naive::SceneItem> items = naive_scene(question.faces);
+        for (PolygonId id = 0; id < scene.polygon_count(); ++id)
+            if (!scene.polygon(id).valid) items[static_cast<std::size_t>(id)].polygon.refused = "by the library";
+        for (std::size_t k = 0; k < question.boxes.size(); ++k)
+            compare_box(question.boxes[k], scene, *source, items,
+                        "box case " + std::to_string(seed) + " of " + naive::to_text(naive::family_of(seed)) + " box " +
+                            std::to_string(k),
+                        sum);
+    });
+    expect_no_difference(tally);
+    expect_shares(tally,
+                  {{"crossing", 0.1}, {"boundary", 0.01}, {"coplanar", 0.05}, {"base", 0.02}, {"disjoint", 0.1}});
+    expect_shares(tally, {{"covers", 0.05}, {"does not cover", 0.1}});
+    expect_shares(tally, {{"none", 0.1}, {"vertex", 0.05}, {"edge", 0.05}});
+    expect_shares(tally, {{"faces", 0.1}, {"turned away", 0.1}});
+    expect_shares(tally, {{"occluded", 0.05}, {"close", 0.1}, {"empty", 0.05}});
+}
+
+}  // namespace
+}  // namespace cob::test
