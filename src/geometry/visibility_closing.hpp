@@ -56,8 +56,27 @@ bool same_point(const Signs& signs, const Sector& a, const Sector& b) {
     return signs.compare_parameters(a.piece, b.piece) == Sign::zero;
 }
 
+/// Seen along the segment, the ray lies on a seam of two other sectors: a ray in space, elsewhere in depth, at which
+/// one of them ends and the other begins.
+template <class Signs>
+bool on_seam(const Signs& signs, const Ray& ray, const Sectors& sectors, const std::size_t* group, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const Sector& left = sectors[group[k]];
+        if (signs.turn(left.begin, ray) != Sign::zero) continue;
+        for (std::size_t l = 0; l < count; ++l) {
+            const Sector& right = sectors[group[l]];
+            // The ray has the seam's direction, not the opposite one, unless a wedge says otherwise. Between two half
+            // turns both directions are seams.
+            if (signs.turn(ray, left.end) != Sign::negative && signs.turn(right.begin, ray) != Sign::negative &&
+                signs.same_ray(left.begin, right.end))
+                return true;
+        }
+    }
+    return false;
+}
+
 /// A ray at which some sector begins (or ends) is covered: seen along the segment it lies in an open sector, or it is
-/// the same ray in space at which a sector on its other side ends (or begins).
+/// the same ray in space at which a sector on its other side ends (or begins), or it lies on a seam of others.
 template <class Signs>
 bool covered(const Signs& signs, const Ray& ray, bool begins, const Sectors& sectors, const std::size_t* group,
              std::size_t count) {
@@ -75,16 +94,16 @@ bool covered(const Signs& signs, const Ray& ray, bool begins, const Sectors& sec
         if (from_begin == Sign::zero || to_end == Sign::zero)
             if (signs.same_ray(begins ? other.end : other.begin, ray)) return true;
     }
-    return false;
+    return on_seam(signs, ray, sectors, group, count);
 }
 
 /// The sectors of one point cover the full turn. Enough to check the rays at which they begin and end:
 ///
 /// Let O be the union of the open sectors and K the rest of the circle of directions, closed. There is a sector, so
 /// unless K is empty it has a boundary, and that consists of rays at which sectors begin or end. All of those are
-/// covered, and those in K not by an open sector, so each is one at which one sector ends and another begins on its
-/// other side: both its neighbourhoods lie in O. So K has no interval, K is finitely many such rays, and SPEC 6 counts
-/// them as covered. The other way round is plain.
+/// covered, and those in K not by an open sector, so each has the direction of a ray in space at which one sector ends
+/// and another begins on its other side: both its neighbourhoods lie in O. So K has no interval, K is finitely many
+/// such rays, and SPEC 6 counts them as covered. The other way round is plain.
 template <class Signs>
 bool closes(const Signs& signs, const Sectors& sectors, const std::size_t* group, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
