@@ -9,6 +9,7 @@ namespace cob::cli {
 // Each command registers its options and a callback; the callback throws InputError on bad input and CLI::RuntimeError
 // with an exit code where the code is part of its meaning (verify).
 
+void add_info(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace cob::cli
