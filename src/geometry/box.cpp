@@ -1,0 +1,184 @@
+#include "geometry/prepared_box.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+namespace cob {
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+
+/// c - o, wrong by at most 4 unit roundoffs of the result's parts.
+Vector3<double> relative_to(const ExactPoint& c, const Point& origin) {
+    return (c.nearest() - origin) + c.rest();
+}
+
+double norm(const Vector3<double>& v) {
+    return std::sqrt(dot(v, v));
+}
+
+double largest_component(const Vector3<double>& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// v divided by a power of two so that its largest component is in [1/2, 1).
+Vector3<double> normalised_exponent(const Vector3<double>& v) {
+    int exponent;
+    std::frexp(largest_component(v), &exponent);
+    return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+}
+
+bool has_fraction(const BoxQuestion& question) {
+    bool any = question.u.has_fraction();
+    for (int i = 0; i < question.corners.count; ++i) any = any || question.corners.points[i].has_fraction();
+    return any;
+}
+
+/// The coordinate axis to which v is exactly parallel, or -1.
+int axis_of(const ExactPoint& v) {
+    int found = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (v.nearest()[axis] == 0 && v.rest()[axis] == 0) continue;
+        if (found >= 0) return -1;
+        found = axis;
+    }
+    return found;
+}
+
+/// The coordinate axis along which all corners exactly agree, or -1.
+int flat_axis(const Corners& corners) {
+    for (int axis = 0; axis < 3; ++axis) {
+        bool flat = true;
+        for (int i = 1; i < corners.count; ++i)
+            flat = flat && corners.points[i].nearest()[axis] == corners.points[0].nearest()[axis] &&
+                   corners.points[i].rest()[axis] == corners.points[0].rest()[axis];
+        if (flat) return axis;
+    }
+    return -1;
+}
+
+}  // namespace
+
+Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
+    exact();  // refuses what SPEC 4 refuses
+    const Corners& corners = question.corners;
+    const double infinity = DBL_MAX;
+    bounds = {-infinity, -infinity, -infinity, infinity, infinity, infinity};
+
+    // 1. Corners relative to the origin, scaled to about 1 where they are far from it.
+    origin = exact().origin;
+    std::array<Vector3<double>, 4> c;
+    double extent = 0;
+    for (int i = 0; i < corners.count; ++i) {
+        c[i] = relative_to(corners.points[i], origin);
+        const double size_ = largest_component(c[i]);
+        if (!std::isfinite(size_)) return;
+        extent = std::max(extent, size_);
+    }
+    const double margin = to_nearest(question.margin), height = to_nearest(question.height);
+    if (!(extent > 1e-280 && extent < 1e280 && margin < 1e20 && height < 1e20 && height > 1e-20)) return;
+    if (!(extent > 0x1p-150 && extent < 0x1p150)) {
+        int exponent;
+        std::frexp(extent, &exponent);
+        scale = std::ldexp(1.0, -exponent);
+    }
+    for (int i = 0; i < corners.count; ++i) c[i] = scale * c[i];
+
+    // 2. Unit directions; E: the error of a coordinate relative to the largest one.
+    const bool fractions = has_fraction(question);
+    const int u_axis = fractions ? -1 : axis_of(question.u), n_axis = fractions ? -1 : flat_axis(corners);
+    axis_aligned = u_axis >= 0 && n_axis >= 0;
+    const Vector3<double> across =
+        corners.count == 3 ? cross(c[1] - c[0], c[2] - c[0]) : cross(c[2] - c[0], c[3] - c[1]);
+    double coordinate_error;
+    Vector3<double> u, n;
+    if (axis_aligned) {
+        u[u_axis] = question.u.nearest()[u_axis] > 0 ? 1 : -1;
+        n[n_axis] = exact().directions[2][n_axis] > 0 ? 1 : -1;
+        bool on_origin = true;
+        for (int i = 0; i < corners.count; ++i) on_origin = on_origin && corners.points[i].rest()[n_axis] == 0;
+        base_exact = on_origin && scale >= 1;  // scaling down could underflow
+        coordinate_error = 4 * unit_roundoff;
+    } else {
+        const Vector3<double> u_exponent = normalised_exponent(question.u.nearest());
+        u = (1 / norm(u_exponent)) * u_exponent;
+        const double across_norm = norm(across);
+        // Edges of length up to 2 sqrt(3), each wrong by 6 u of itself: the cross product by less than 16 u 12.
+        const double direction_error = 200 * unit_roundoff / across_norm + 8 * unit_roundoff;
+        if (!(direction_error < 1e-6)) return;
+        n = (1 / across_norm) * across;
+        // p - o, the products and their sums: 6 u |p - o|; |p - o| is at most sqrt(3) M (1 + small).
+        coordinate_error = 1.8 * (6 * unit_roundoff + 2 * direction_error);
+    }
+    const Vector3<double> w = cross(n, u);
+    directions = {scale * u, scale * w, scale * n};
+
+    // 3. The box in the frame, with its own errors.
+    const auto in_frame = [&](const Vector3<double>& v) { return Vector3<double>{dot(u, v), dot(w, v), dot(n, v)}; };
+    frame.low = frame.high = in_frame(c[0]);
+    double corner_size = 0;
+    for (int i = 0; i < corners.count; ++i) {
+        const Vector3<double> q = in_frame(c[i]);
+        corner_size = std::max(corner_size, largest_component(c[i]));
+        for (int axis = 0; axis < 2; ++axis) {
+            frame.low[axis] = std::min(frame.low[axis], q[axis]);
+            frame.high[axis] = std::max(frame.high[axis], q[axis]);
+        }
+    }
+    const double corner_error = coordinate_error * corner_size;
+    double shortest = infinity, box_error = corner_error;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double length = frame.high[axis] - frame.low[axis];
+        frame.low[axis] -= margin * length;
+        frame.high[axis] += margin * length;
+        shortest = std::min(shortest, frame.high[axis] - frame.low[axis]);
+    }
+    frame.high.z = frame.low.z + height * shortest;
+    size = std::max(largest_component(frame.low), largest_component(frame.high));
+    box_error += (2 * margin * corner_error + 8 * unit_roundoff * size);
+    box_error += height * (2 * box_error + 8 * unit_roundoff * shortest);
+    error = std::max(coordinate_error, box_error / size) * 1.01;
+    if (!(error < 1e-6)) return;
+    usable = true;
+
+    // 4. Bounds in space, padded by what the coordinates may be wrong.
+    const double pad = 8 * error * size / scale;
+    for (int axis = 0; axis < 3; ++axis) {
+        double least = infinity, greatest = -infinity;
+        for (int corner = 0; corner < 8; ++corner) {
+            const double offset = (corner & 1 ? frame.high.x : frame.low.x) * u[axis] +
+                                  (corner & 2 ? frame.high.y : frame.low.y) * w[axis] +
+                                  (corner & 4 ? frame.high.z : frame.low.z) * n[axis];
+            least = std::min(least, offset / scale);
+            greatest = std::max(greatest, offset / scale);
+        }
+        bounds[axis] = std::nextafter(origin[axis] + (least - pad), -infinity);
+        bounds[axis + 3] = std::nextafter(origin[axis] + (greatest + pad), infinity);
+    }
+}
+
+const ExactBox& Box::Prepared::exact() const {
+    std::call_once(exact_once_, [&] { exact_ = std::make_unique<const ExactBox>(question); });
+    return *exact_;
+}
+
+const IntegerBox& Box::Prepared::integers() const {
+    std::call_once(integers_once_, [&] { integers_ = std::make_unique<const IntegerBox>(exact()); });
+    return *integers_;
+}
+
+Box::Box(const BoxQuestion& question) : prepared_(std::make_unique<Prepared>(question)) {}
+Box::~Box() = default;
+Box::Box(Box&&) noexcept = default;
+Box& Box::operator=(Box&&) noexcept = default;
+
+PolygonId Box::polygon() const {
+    return prepared_->question.polygon;
+}
+
+const std::array<double, 6>& Box::bounds() const {
+    return prepared_->bounds;
+}
+
+}  // namespace cob

@@ -1,0 +1,47 @@
+/// \file
+/// The box as the filter sees it, and the exact box behind it, made when first needed.
+#pragma once
+
+#include "cob/geometry.hpp"
+#include "geometry/exact_box.hpp"
+#include "geometry/frame.hpp"
+
+#include <memory>
+#include <mutex>
+
+namespace cob {
+
+struct Box::Prepared {
+    BoxQuestion question;
+    std::array<double, 6> bounds{};
+
+    // The frame in binary64: unit directions times a power of two that brings the box's size between 2^-150 and
+    // 2^150, so that nothing under- or overflows in its neighbourhood.
+    bool usable = false;        ///< False: the box is too large, small or far out; everything goes to the exact stages.
+    bool axis_aligned = false;  ///< Directions are coordinate axes (times the scale), exactly.
+    bool base_exact = false;    ///< The element's plane is z = 0 exactly.
+    Point origin;
+    std::array<Vector3<double>, 3> directions;
+    double scale = 1;
+    FrameBox<double> frame;
+    double size = 0;   ///< Largest absolute coordinate of the box in the frame.
+    double error = 0;  ///< Bound on the error of any coordinate, relative to the largest in the query (at least size).
+
+    explicit Prepared(const BoxQuestion& question);
+
+    const ExactBox& exact() const;
+    const IntegerBox& integers() const;
+
+    /// Inlined where the time goes.
+    Vector3<double> to_frame(const Point& p) const {
+        const Vector3<double> relative = p - origin;
+        return {dot(directions[0], relative), dot(directions[1], relative), dot(directions[2], relative)};
+    }
+
+private:
+    mutable std::once_flag exact_once_, integers_once_;
+    mutable std::unique_ptr<const ExactBox> exact_;
+    mutable std::unique_ptr<const IntegerBox> integers_;
+};
+
+}  // namespace cob
