@@ -25,6 +25,12 @@ struct Segment {
     PieceId from_piece = -1, to_piece = -1;
 };
 
+/// An answer in some arithmetic.
+struct VisibilityAnswer {
+    Visibility visibility = Visibility::clear;
+    bool decided = true;  ///< False only in Arithmetic::interval; then `visibility` means nothing.
+};
+
 /// Where an open segment meets a piece.
 enum class ContactKind : std::uint8_t { inside, side, corner, in_plane };
 struct Contact {
@@ -62,6 +68,10 @@ public:
 
     /// Throws InputError where both ends are one point.
     Visibility operator()(const Segment& segment, PredicateCounters* counters = nullptr) const;
+    /// The same formula in other arithmetic, for the study of error against time: the segment's hints are not used.
+    /// Candidates come from the same source, which is right for all of them.
+    VisibilityAnswer operator()(const Segment& segment, Arithmetic arithmetic,
+                                PredicateCounters* counters = nullptr) const;
     /// As if the scene were this polygon alone.
     Visibility against(PolygonId polygon, const Segment& segment) const;
     /// The first polygon along the segment, from its beginning, that blocks it by itself; of several at one point the

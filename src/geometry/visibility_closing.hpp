@@ -56,62 +56,55 @@ bool same_point(const Signs& signs, const Sector& a, const Sector& b) {
     return signs.compare_parameters(a.piece, b.piece) == Sign::zero;
 }
 
-/// Seen along the segment, the ray lies on a seam of two other sectors: a ray in space, elsewhere in depth, at which
-/// one of them ends and the other begins.
+/// The sectors that meet at one point: indices into all sectors.
+using Group = boost::container::small_vector<std::size_t, 8>;
+
+/// Seen along the segment, the direction of a ray lies in one of the open sectors.
 template <class Signs>
-bool on_seam(const Signs& signs, const Ray& ray, const Sectors& sectors, const std::size_t* group, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const Sector& left = sectors[group[k]];
-        if (signs.turn(left.begin, ray) != Sign::zero) continue;
-        for (std::size_t l = 0; l < count; ++l) {
-            const Sector& right = sectors[group[l]];
-            // The ray has the seam's direction, not the opposite one, unless a wedge says otherwise. Between two half
-            // turns both directions are seams.
-            if (signs.turn(ray, left.end) != Sign::negative && signs.turn(right.begin, ray) != Sign::negative &&
-                signs.same_ray(left.begin, right.end))
-                return true;
-        }
+bool in_open_sector(const Signs& signs, const Ray& ray, const Sectors& sectors, const Group& group) {
+    for (const std::size_t k : group)  // for half a turn both signs are one; a wedge needs both
+        if (signs.turn(sectors[k].begin, ray) == Sign::positive && signs.turn(ray, sectors[k].end) == Sign::positive)
+            return true;
+    return false;
+}
+
+/// Seen along the segment, the direction of a ray is that of a matched one: a ray in space at which one sector begins
+/// and another ends. The matched ray may be nearer or farther along the segment than the ray itself.
+template <class Signs>
+bool on_matched_ray(const Signs& signs, const Ray& ray, const Sectors& sectors, const Group& group) {
+    for (const std::size_t k : group)
+        if (signs.same_sight(sectors[k].begin, ray))
+            for (const std::size_t l : group)
+                if (signs.same_ray(sectors[k].begin, sectors[l].end)) return true;
+    return false;
+}
+
+/// Some sector ends (or begins) at just this ray, of the same two vertices: the quick case, nearly every seam is one.
+inline bool plainly_matched(const Ray& ray, bool begins, const Sectors& sectors, const Group& group) {
+    for (const std::size_t k : group) {
+        const Ray& match = begins ? sectors[k].end : sectors[k].begin;
+        if (match.from == ray.from && match.to == ray.to) return true;
     }
     return false;
 }
 
-/// A ray at which some sector begins (or ends) is covered: seen along the segment it lies in an open sector, or it is
-/// the same ray in space at which a sector on its other side ends (or begins), or it lies on a seam of others.
-template <class Signs>
-bool covered(const Signs& signs, const Ray& ray, bool begins, const Sectors& sectors, const std::size_t* group,
-             std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const Sector& other = sectors[group[k]];
-        // The quick case of a matched side first: nearly every seam is one.
-        const Ray& match = begins ? other.end : other.begin;
-        if (match.from == ray.from && match.to == ray.to) return true;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        const Sector& other = sectors[group[k]];
-        const Sign from_begin = signs.turn(other.begin, ray), to_end = signs.turn(ray, other.end);
-        // For half a turn both signs are one; a wedge needs both.
-        if (from_begin == Sign::positive && to_end == Sign::positive) return true;
-        if (from_begin == Sign::zero || to_end == Sign::zero)
-            if (signs.same_ray(begins ? other.end : other.begin, ray)) return true;
-    }
-    return on_seam(signs, ray, sectors, group, count);
-}
-
-/// The sectors of one point cover the full turn. Enough to check the rays at which they begin and end:
+/// The sectors of one point, with the matched rays, cover the full turn. Enough to check the directions in which they
+/// begin and end:
 ///
 /// Let O be the union of the open sectors and K the rest of the circle of directions, closed. There is a sector, so
-/// unless K is empty it has a boundary, and that consists of rays at which sectors begin or end. All of those are
-/// covered, and those in K not by an open sector, so each has the direction of a ray in space at which one sector ends
-/// and another begins on its other side: both its neighbourhoods lie in O. So K has no interval, K is finitely many
-/// such rays, and SPEC 6 counts them as covered. The other way round is plain.
+/// unless K is empty it has a boundary, and that consists of directions in which sectors begin or end. Those are
+/// covered, and not by an open sector, so in each of them one sector ends and another begins: both its neighbourhoods
+/// lie in O. So K has no interval, K is finitely many such directions, and SPEC 6 counts them as covered. The other
+/// way round is plain.
 template <class Signs>
-bool closes(const Signs& signs, const Sectors& sectors, const std::size_t* group, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const Sector& sector = sectors[group[k]];
-        if (!covered(signs, sector.begin, true, sectors, group, count)) return false;
-        if (!covered(signs, sector.end, false, sectors, group, count)) return false;
-    }
-    return count > 0;
+bool closes(const Signs& signs, const Sectors& sectors, const Group& group) {
+    const auto covered = [&](const Ray& ray, bool begins) {
+        return plainly_matched(ray, begins, sectors, group) || in_open_sector(signs, ray, sectors, group) ||
+               on_matched_ray(signs, ray, sectors, group);
+    };
+    for (const std::size_t k : group)
+        if (!covered(sectors[k].begin, true) || !covered(sectors[k].end, false)) return false;
+    return !group.empty();
 }
 
 /// Finds the points of the segment at which sectors meet, and marks those that close; whether any does.
@@ -119,7 +112,7 @@ bool closes(const Signs& signs, const Sectors& sectors, const std::size_t* group
 template <class Signs>
 bool mark_closing(const Signs& signs, Sectors& sectors, bool all) {
     boost::container::small_vector<bool, 8> done(sectors.size(), false);
-    boost::container::small_vector<std::size_t, 8> group;
+    Group group;
     bool any = false;
     for (std::size_t k = 0; k < sectors.size(); ++k) {
         if (done[k]) continue;
@@ -129,7 +122,7 @@ bool mark_closing(const Signs& signs, Sectors& sectors, bool all) {
                 group.push_back(l);
                 done[l] = true;
             }
-        if (group.size() < 2 || !closes(signs, sectors, group.data(), group.size())) continue;
+        if (group.size() < 2 || !closes(signs, sectors, group)) continue;
         for (const std::size_t l : group) sectors[l].closes = true;
         any = true;
         if (!all) return true;

@@ -64,6 +64,8 @@ Contact named(const PieceTable& pieces, PieceId id, const Touch& touch, const Ra
     return contact;
 }
 
+}  // namespace
+
 std::vector<PieceId> candidates_along(const CandidateSource& source, const Segment& segment) {
     std::vector<PieceId> pieces;
     source.pieces_along(segment.from.nearest(), segment.to.nearest(),
@@ -74,8 +76,6 @@ std::vector<PieceId> candidates_along(const CandidateSource& source, const Segme
     std::sort(pieces.begin(), pieces.end());
     return pieces;
 }
-
-}  // namespace
 
 std::vector<Contact> VisibilityOracle::contacts(const Segment& segment) const {
     return explain(segment).contacts;

@@ -6,17 +6,26 @@
 #include "cob/visibility.hpp"
 #include "geometry/visibility_closing.hpp"
 
+#include <mutex>
+
 namespace cob {
 
 struct VisibilityOracle::Implementation {
     Implementation(const Scene& scene, const CandidateSource& source) : pieces(scene), candidates(source) {}
 
+    VisibilityAnswer in_intervals(const Segment& segment) const;
+
     PieceTable pieces;
     const CandidateSource& candidates;
+    std::once_flag extent_known;
+    double extent = 0;  ///< Of the scene; only for Arithmetic::epsilon.
 };
 
 /// Throws InputError where both ends of the segment are one point.
 void refuse_a_point(const Segment& segment);
+
+/// The candidates of a segment, ascending.
+std::vector<PieceId> candidates_along(const CandidateSource& source, const Segment& segment);
 
 /// What a segment has met so far. Pieces may come in any order, each once.
 template <class Signs>

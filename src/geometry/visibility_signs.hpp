@@ -55,6 +55,17 @@ public:
     Sign turn(const Ray& s, const Ray& t) const {
         return arithmetic_.sign({direction(), difference(s), difference(t)});
     }
+    /// Seen along d, the two rays, from one point, are one; neither is parallel to d.
+    bool same_sight(const Ray& s, const Ray& t) const {
+        if (s.from == t.from && s.to == t.to) return true;
+        if (turn(s, t) != Sign::zero) return false;
+        // d x s and d x t are parallel: the rays are one or opposite.
+        for (int axis = 0; axis < 3; ++axis) {
+            const Sign sign = arithmetic_.component(direction(), difference(s), axis);
+            if (sign != Sign::zero) return sign == arithmetic_.component(direction(), difference(t), axis);
+        }
+        return false;
+    }
     /// The two rays, from one point, are one ray in space.
     bool same_ray(const Ray& s, const Ray& t) const {
         return (position(s.from) == position(t.from) && position(s.to) == position(t.to)) ||
