@@ -103,14 +103,13 @@ void MaterialLibrary::read_libraries(std::string_view names) {
             report_.warnings.push_back("material library '" + std::string(names.substr(0, length)) +
                                        "' not found: its materials are grey and do not emit");
         } else if (files_.insert(file).second) {
-            read_file_at(file);
+            read_text(read_file(file), file);
         }
         names = trimmed(names.substr(length));
     }
 }
 
-void MaterialLibrary::read_file_at(const std::string& path) {
-    const std::string text = read_file(path);
+void MaterialLibrary::read_text(std::string_view text, const std::string& path) {
     StatementReader reader(text);
     Material* material = nullptr;
     for (Statement statement; reader.next(statement);) {

@@ -22,7 +22,10 @@ public:
     /// last part beside the OBJ file; a file that does not exist is a warning.
     void read_libraries(std::string_view names);
 
-    /// Index into materials(); grey and a warning, once, for a name that no library defines.
+    /// The text of one library; `path` is for messages.
+    void read_text(std::string_view text, const std::string& path);
+
+    /// Index into take(); grey and a warning, once, for a name that no library defines.
     std::int32_t find(std::string_view name);
 
     /// The first is grey and stands for faces without one.
@@ -30,7 +33,6 @@ public:
 
 private:
     std::string existing_file(std::string_view name) const;
-    void read_file_at(const std::string& path);
 
     std::string scene_file_;
     const ReadOptions& options_;

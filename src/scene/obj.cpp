@@ -1,4 +1,6 @@
-// Reader of Wavefront OBJ: vertices and faces; materials from MTL.
+// Vertices, faces and the names of materials; everything else in the file is passed over.
+#include "scene/obj.hpp"
+
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/scene.hpp"
@@ -24,8 +26,7 @@ public:
         input_.name = path;
     }
 
-    Scene::Input read() {
-        const std::string text = read_file(path_);
+    Scene::Input read(std::string_view text) {
         StatementReader reader(text);
         for (Statement statement; reader.next(statement);) {
             if (statement.keyword == "v")
@@ -140,9 +141,13 @@ private:
 
 }  // namespace
 
+Scene::Input parse_obj(std::string_view text, const std::string& path, const ReadOptions& options, ReadReport& report) {
+    return ObjReader(path, options, report).read(text);
+}
+
 Scene read_obj(const std::string& path, const ReadOptions& options, ReadReport* report) {
     ReadReport unread;
-    Scene::Input input = ObjReader(path, options, report ? *report : unread).read();
+    Scene::Input input = parse_obj(read_file(path), path, options, report ? *report : unread);
     return Scene::build(std::move(input), {options.skip_invalid});
 }
 
