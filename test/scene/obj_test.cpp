@@ -1,6 +1,5 @@
 // The reader of OBJ and MTL: what it takes, what it refuses and where it says so (SPEC sections 1 and 2).
 #include "cob/error.hpp"
-#include "cob/files.hpp"
 #include "cob/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -25,7 +25,9 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     std::string path(const std::string& name) const { return folder_ + "/" + name; }
-    void write(const std::string& name, const std::string& text) const { write_file(path(name), text); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
     Scene read(const std::string& text, const ReadOptions& options = {}) {
         write("scene.obj", text);
         report_ = {};
