@@ -40,6 +40,13 @@ struct Contact {
     Rational parameter;  ///< Where along the segment, in (0, 1); of in_plane contact, where it begins.
 };
 
+/// What covers a ray at which a sector begins or ends (SPEC 6, closing).
+enum class Covering : std::uint8_t {
+    none,
+    sector,  ///< Seen along the segment it lies in another piece's open sector.
+    seam,    ///< Seen along the segment it has the direction of a ray in space along which two pieces meet.
+};
+
 /// A contact and what it contributes.
 struct ExplainedContact {
     Contact contact;
@@ -49,6 +56,7 @@ struct ExplainedContact {
     /// At a side or corner: the rays from the point, each as a direction from one vertex towards another, between
     /// which, seen along the segment, the piece's local sector extends counter-clockwise.
     std::array<VertexId, 2> begin{-1, -1}, end{-1, -1};
+    Covering begin_covering = Covering::none, end_covering = Covering::none;
 };
 
 /// Why the answer is what it is.

@@ -10,6 +10,7 @@ namespace cob::cli {
 // with an exit code where the code is part of its meaning (verify).
 
 void add_info(CLI::App& app);
+void add_occlude(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace cob::cli

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.option_defaults()->always_capture_default();
     cob::cli::add_info(app);
+    cob::cli::add_occlude(app);
     cob::cli::add_verify(app);
     try {
         app.parse(argc, argv);

@@ -17,8 +17,10 @@ struct Sector {
     PieceId piece;
     Touch touch;
     Ray begin, end;
-    VertexId corner;      ///< The point of contact where it is a corner, else -1.
-    bool closes = false;  ///< Set by the check: belongs to a point at which the pieces close.
+    VertexId corner;  ///< The point of contact where it is a corner, else -1.
+    // Set by mark_closing():
+    bool closes = false;  ///< Belongs to a point at which the pieces close.
+    Covering begin_covering = Covering::none, end_covering = Covering::none;
 };
 
 using Sectors = boost::container::small_vector<Sector, 8>;
@@ -97,18 +99,27 @@ inline bool plainly_matched(const Ray& ray, bool begins, const Sectors& sectors,
 /// lie in O. So K has no interval, K is finitely many such directions, and SPEC 6 counts them as covered. The other
 /// way round is plain.
 template <class Signs>
-bool closes(const Signs& signs, const Sectors& sectors, const Group& group) {
-    const auto covered = [&](const Ray& ray, bool begins) {
-        return plainly_matched(ray, begins, sectors, group) || in_open_sector(signs, ray, sectors, group) ||
-               on_matched_ray(signs, ray, sectors, group);
+bool closes(const Signs& signs, Sectors& sectors, const Group& group, bool all) {
+    const auto covering = [&](const Ray& ray, bool begins) {
+        return plainly_matched(ray, begins, sectors, group) ? Covering::seam
+               : in_open_sector(signs, ray, sectors, group) ? Covering::sector
+               : on_matched_ray(signs, ray, sectors, group) ? Covering::seam
+                                                            : Covering::none;
     };
-    for (const std::size_t k : group)
-        if (!covered(sectors[k].begin, true) || !covered(sectors[k].end, false)) return false;
-    return !group.empty();
+    bool every = true;
+    for (const std::size_t k : group) {
+        sectors[k].begin_covering = covering(sectors[k].begin, true);
+        every = every && sectors[k].begin_covering != Covering::none;
+        if (!every && !all) return false;
+        sectors[k].end_covering = covering(sectors[k].end, false);
+        every = every && sectors[k].end_covering != Covering::none;
+        if (!every && !all) return false;
+    }
+    return every;
 }
 
 /// Finds the points of the segment at which sectors meet, and marks those that close; whether any does.
-/// `all`: mark every point, else stop at the first.
+/// `all`: mark every point and every ray, else stop as soon as the answer is known.
 template <class Signs>
 bool mark_closing(const Signs& signs, Sectors& sectors, bool all) {
     boost::container::small_vector<bool, 8> done(sectors.size(), false);
@@ -122,7 +133,7 @@ bool mark_closing(const Signs& signs, Sectors& sectors, bool all) {
                 group.push_back(l);
                 done[l] = true;
             }
-        if (group.size() < 2 || !closes(signs, sectors, group)) continue;
+        if (!closes(signs, sectors, group, all)) continue;
         for (const std::size_t l : group) sectors[l].closes = true;
         any = true;
         if (!all) return true;

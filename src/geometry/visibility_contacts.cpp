@@ -117,8 +117,12 @@ Explanation VisibilityOracle::explain(const Segment& segment) const {
 
     // 2. Which of those at sides and corners close around their point.
     mark_closing(signs, sectors, true);
-    for (std::size_t k = 0; k < sectors.size(); ++k)
-        explanation.details[contact_of_sector[k]].blocks = sectors[k].closes;
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+        ExplainedContact& contact = explanation.details[contact_of_sector[k]];
+        contact.blocks = sectors[k].closes;
+        contact.begin_covering = sectors[k].begin_covering;
+        contact.end_covering = sectors[k].end_covering;
+    }
 
     // 3. In order along the segment.
     std::stable_sort(
