@@ -10,6 +10,29 @@
 
 namespace cob {
 
+// What a number type may do in its own way (wide integers look at one bit, intervals may not know).
+template <class Number>
+Number lesser(const Number& a, const Number& b) {
+    return b < a ? b : a;
+}
+template <class Number>
+Number greater(const Number& a, const Number& b) {
+    return a < b ? b : a;
+}
+template <class Number>
+bool is_positive(const Number& a) {
+    return a > 0;
+}
+template <class Number>
+bool is_negative(const Number& a) {
+    return a < 0;
+}
+/// The end of [low, high] where d x is least.
+template <class Number>
+const Number& first_along(const Number& d, const Number& low, const Number& high) {
+    return is_positive(d) ? low : high;
+}
+
 /// The box [low, high] of the frame's coordinates a, b, z; low.z is the element's plane. Where the height is
 /// irrational (exact kernels only), high.z repeats low.z and the kernel knows what to add.
 template <class Number>
@@ -28,8 +51,8 @@ struct FramePiece {
         low = high = corners[0];
         for (int i = 1; i < count; ++i)
             for (int axis = 0; axis < 3; ++axis) {
-                if (corners[i][axis] < low[axis]) low[axis] = corners[i][axis];
-                if (corners[i][axis] > high[axis]) high[axis] = corners[i][axis];
+                low[axis] = lesser(low[axis], corners[i][axis]);
+                high[axis] = greater(high[axis], corners[i][axis]);
             }
     }
 

@@ -4,18 +4,12 @@
 #include "geometry/filter_kernel.hpp"
 #include "geometry/prepared_box.hpp"
 #include "geometry/separating_axes.hpp"
+#include "geometry/study.hpp"
 
 #include <boost/container/small_vector.hpp>
 
 namespace cob {
 namespace {
-
-Relation relation_of(const Findings& findings) {
-    return findings.apart       ? Relation::disjoint
-           : findings.only_base ? Relation::base
-           : findings.touches   ? Relation::boundary
-                                : Relation::crossing;
-}
 
 using FilterCorners = boost::container::small_vector<Vector3<double>, 8>;
 
