@@ -1,5 +1,6 @@
 /// \file
-/// Exact comparisons of squared lengths of binary64 points: filter first, then fractions.
+/// Exact comparisons of squared lengths of binary64 points: filter first, then fixed-width
+/// integers, then fractions.
 #pragma once
 
 #include "cob/arithmetic.hpp"

@@ -1,6 +1,9 @@
 #include "scene/seen.hpp"
 
+#include "arithmetic/wide_integer.hpp"
+
 #include <cmath>
+#include <limits>
 
 namespace cob {
 namespace {
@@ -35,11 +38,12 @@ std::optional<Approximation> newell_component(const std::vector<Point>& loop, in
     return Approximation{sum, 2 * (n + 4) * 0x1p-53 * magnitude};
 }
 
-RationalPoint exact_newell_normal(const std::vector<Point>& loop) {
-    const RationalPoint origin = to_rational(loop.front());
-    RationalPoint normal, before = to_rational(loop[1]) - origin;
+/// Newell's normal over any exact number type; convert makes a point's difference from the first corner.
+template <class T, class Convert>
+Vector3<T> newell_normal(const std::vector<Point>& loop, Convert&& convert) {
+    Vector3<T> normal, before = convert(loop[1]);
     for (std::size_t k = 2; k < loop.size(); ++k) {
-        const RationalPoint at = to_rational(loop[k]) - origin;
+        const Vector3<T> at = convert(loop[k]);
         normal = normal + cross(before, at);
         before = at;
     }
@@ -68,17 +72,45 @@ std::optional<View2> filtered_view(const std::vector<Point>& loop) {
     return std::nullopt;
 }
 
+/// The view along the largest component of an exact normal.
+template <class T>
+std::optional<View2> view_of_normal(const Vector3<T>& normal) {
+    const auto magnitude = [&](int axis) {
+        return sign_of(normal[axis]) == Sign::negative ? -normal[axis] : normal[axis];
+    };
+    int largest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+        if (magnitude(axis) > magnitude(largest)) largest = axis;
+    if (sign_of(normal[largest]) == Sign::zero) return std::nullopt;
+    return view_along(largest, sign_of(normal[largest]) == Sign::positive);
+}
+
+template <int Limbs>
+std::optional<View2> integer_view(const std::vector<Point>& loop, int unit) {
+    using Number = WideInteger<Limbs>;
+    const auto number = [&](double value) { return Number(value, unit); };
+    return view_of_normal(newell_normal<Number>(loop, [&](const Point& point) {
+        Vector3<Number> difference;
+        for (int axis = 0; axis < 3; ++axis) difference[axis] = number(point[axis]) - number(loop[0][axis]);
+        return difference;
+    }));
+}
+
 }  // namespace
 
 std::optional<View2> view_of(const std::vector<Point>& loop) {
     if (loop.size() < 3) return std::nullopt;
     if (const auto view = filtered_view(loop)) return view;
-    const RationalPoint normal = exact_newell_normal(loop);
-    int axis = 0;
-    for (int other = 1; other < 3; ++other)
-        if (abs(normal[other]) > abs(normal[axis])) axis = other;
-    if (normal[axis] == 0) return std::nullopt;
-    return view_along(axis, normal[axis] > 0);
+
+    // Two components are equal (planes at 45 degrees), or all are zero or nearly so.
+    BitSpan span;
+    for (const Point& point : loop)
+        for (int axis = 0; axis < 3; ++axis) span.add(point[axis]);
+    const int bits_of_count = std::numeric_limits<std::size_t>::digits;  // of the sum's terms, more than enough
+    if (span.only_zeros()) return std::nullopt;
+    if (2 * (span.bits() + 1) + bits_of_count + 2 <= 256) return integer_view<4>(loop, span.low);
+    return view_of_normal(
+        newell_normal<Rational>(loop, [&](const Point& point) { return to_rational(point) - to_rational(loop[0]); }));
 }
 
 SeenLoop see(std::vector<Point> loop, View2 view) {

@@ -1,7 +1,5 @@
 #include "scene/statements.hpp"
 
-#include <algorithm>
-
 namespace cob {
 namespace {
 
@@ -68,7 +66,8 @@ std::string_view StatementReader::logical_line() {
 std::string_view StatementReader::physical_line() {
     ++lines_;
     const std::size_t begin = at_;
-    const std::size_t end = std::min(text_.find_first_of("\r\n", begin), text_.size());
+    std::size_t end = begin;
+    while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r') ++end;
     at_ = end;
     if (at_ < text_.size()) at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
     return text_.substr(begin, end - begin);
