@@ -3,6 +3,8 @@
 // fit goes through fractions.
 #include "geometry/lattice.hpp"
 
+#include "arithmetic/wide_integer.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,29 +13,16 @@
 namespace cob {
 namespace {
 
-__extension__ using Wide = __int128;
-
-/// mantissa 2^exponent, the mantissa odd or zero.
-struct Binary {
-    std::int64_t mantissa = 0;
-    int exponent = 0;
-};
-
-Binary split(double value) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    const int biased = static_cast<int>(bits >> 52 & 0x7FF);
-    std::uint64_t mantissa = bits & ((std::uint64_t{1} << 52) - 1);
-    if (biased != 0) mantissa |= std::uint64_t{1} << 52;
-    if (mantissa == 0) return {};
-    const int zeros = __builtin_ctzll(mantissa);
-    const auto magnitude = static_cast<std::int64_t>(mantissa >> zeros);
-    return {value < 0 ? -magnitude : magnitude, std::max(biased, 1) - 1075 + zeros};
+int bit_length(std::uint64_t value) {
+    return value == 0 ? 0 : 64 - __builtin_clzll(value);
 }
-
-int bit_length(std::int64_t value) {
-    const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
-    return magnitude == 0 ? 0 : 64 - __builtin_clzll(magnitude);
+int bit_length(DoubleLimb value) {
+    const auto high = static_cast<std::uint64_t>(value >> 64), low = static_cast<std::uint64_t>(value);
+    return high != 0 ? 64 + bit_length(high) : bit_length(low);
+}
+int trailing_zeros(DoubleLimb value) {
+    const auto low = static_cast<std::uint64_t>(value);
+    return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll(static_cast<std::uint64_t>(value >> 64));
 }
 
 /// value 2^exponent, without rounding.
@@ -71,6 +60,27 @@ struct Pair {
     double nearest = 0, rest = 0;
 };
 
+/// An integer times 2^exponent as the nearest binary64 number, half to even, and the rest; nothing where the rest has
+/// more bits than one.
+std::optional<Pair> split_in_two(DoubleLimb magnitude, bool negative, int exponent) {
+    constexpr int bits = std::numeric_limits<double>::digits;
+    const double sign = negative ? -1 : 1;
+    const int excess = bit_length(magnitude) - bits;
+    if (excess <= 0)
+        return Pair{sign * scaled(static_cast<double>(static_cast<std::uint64_t>(magnitude)), exponent), 0};
+
+    const DoubleLimb one = 1, dropped = magnitude & ((one << excess) - 1), half = one << (excess - 1);
+    const auto kept = static_cast<std::uint64_t>(magnitude >> excess);
+    const bool up = dropped > half || (dropped == half && (kept & 1) != 0);
+    const double nearest = sign * scaled(static_cast<double>(kept + (up ? 1 : 0)), exponent + excess);
+    if (dropped == 0) return Pair{nearest, 0};
+    const DoubleLimb rest = up ? (one << excess) - dropped : dropped;
+    const int zeros = trailing_zeros(rest);
+    if (bit_length(rest) - zeros > bits) return std::nullopt;
+    const auto digits = static_cast<double>(static_cast<std::uint64_t>(rest >> zeros));
+    return Pair{nearest, (up ? -sign : sign) * scaled(digits, exponent + zeros)};
+}
+
 /// Sum of weight times value over 2^bits as a pair; nothing where it does not fit.
 std::optional<Pair> weighted_sum(const Weights& weights, const std::array<double, 4>& values) {
     // Equal values are common (planes across an axis), and the weights sum to one.
@@ -78,28 +88,28 @@ std::optional<Pair> weighted_sum(const Weights& weights, const std::array<double
     for (int k = 1; k < weights.count; ++k) equal = equal && values[k] == values[0];
     if (equal) return Pair{values[0], 0};
 
-    std::array<Binary, 4> parts;
+    const std::array<BinaryParts, 4> parts{BinaryParts(values[0]), BinaryParts(values[1]), BinaryParts(values[2]),
+                                           BinaryParts(values[3])};
     int lowest = std::numeric_limits<int>::max();
+    for (int k = 0; k < weights.count; ++k)
+        if (parts[k].magnitude != 0) lowest = std::min(lowest, parts[k].exponent);
+
+    DoubleLimb sum = 0;  // two's complement
     for (int k = 0; k < weights.count; ++k) {
-        parts[k] = split(values[k]);
-        if (parts[k].mantissa != 0) lowest = std::min(lowest, parts[k].exponent);
-    }
-    Wide sum = 0;
-    for (int k = 0; k < weights.count; ++k) {
-        if (parts[k].mantissa == 0 || weights.of[k] == 0) continue;
+        if (parts[k].magnitude == 0 || weights.of[k] == 0) continue;
+        const bool negative = parts[k].negative != (weights.of[k] < 0);
+        const auto weight = static_cast<std::uint64_t>(weights.of[k] < 0 ? -weights.of[k] : weights.of[k]);
         const int shift = parts[k].exponent - lowest;
-        constexpr int room = 124;  // three bits for the sign and the sum of four
-        if (bit_length(parts[k].mantissa) + bit_length(weights.of[k]) + shift > room) return std::nullopt;
-        sum += static_cast<Wide>(parts[k].mantissa) * weights.of[k] * (Wide{1} << shift);
+        constexpr int room = 124;  // the rest is for the sign and the sum of four
+        if (bit_length(parts[k].magnitude) + bit_length(weight) + shift > room) return std::nullopt;
+        const DoubleLimb term = DoubleLimb{parts[k].magnitude} * weight << shift;
+        sum += negative ? -term : term;
     }
     const int exponent = lowest - weights.bits;
     constexpr int least_exponent = -1074;
     if (exponent < least_exponent) return std::nullopt;
-    const auto nearest = static_cast<double>(sum);
-    const Wide remainder = sum - static_cast<Wide>(nearest);
-    const auto rest = static_cast<double>(remainder);
-    if (static_cast<Wide>(rest) != remainder) return std::nullopt;
-    return Pair{scaled(nearest, exponent), scaled(rest, exponent)};
+    const bool negative = sum >> 127 != 0;
+    return split_in_two(negative ? -sum : sum, negative, exponent);
 }
 
 const Point& corner(const Scene& scene, const Root& root, int k) {
@@ -109,12 +119,13 @@ const Point& corner(const Scene& scene, const Root& root, int k) {
 }  // namespace
 
 std::optional<Dyadic> dyadic_sum(std::uint32_t base, int base_bits, int step, double fraction) {
-    const Binary part = split(fraction);
-    if (part.mantissa == 0) return Dyadic{base, base_bits};
+    const BinaryParts part(fraction);
+    if (part.magnitude == 0) return Dyadic{base, base_bits};
     const int bits = std::max(-part.exponent, 0), left = std::max(part.exponent, 0);
-    if (base_bits + bits + left > most_weight_bits - 1 || bit_length(part.mantissa) + left > most_weight_bits - 1)
+    if (base_bits + bits + left > most_weight_bits - 1 || bit_length(part.magnitude) + left > most_weight_bits - 1)
         return std::nullopt;
-    const std::int64_t numerator = (part.mantissa << left) * step + (std::int64_t{base} << bits);
+    const auto magnitude = static_cast<std::int64_t>(part.magnitude << left);
+    const std::int64_t numerator = (part.negative ? -magnitude : magnitude) * step + (std::int64_t{base} << bits);
     return Dyadic{numerator, base_bits + bits};
 }
 
