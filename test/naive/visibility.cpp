@@ -146,6 +146,13 @@ bool meets_in_plane(const Piece& piece, const RationalPoint& x, const RationalPo
 
 }  // namespace
 
+bool lies_on(const RationalPoint& point, const Piece& piece) {
+    if (dot(piece.normal, point - piece.corners.front()) != 0) return false;
+    for (std::size_t k = 0; k < piece.corners.size(); ++k)
+        if (left_of(point, piece, k) < 0) return false;
+    return true;
+}
+
 Visibility visibility(const std::vector<const Polygon*>& scene, const RationalPoint& x, const RationalPoint& y) {
     const RationalPoint along = y - x;
     const Projection project(along);

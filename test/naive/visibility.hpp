@@ -12,4 +12,7 @@ const char* to_text(Visibility visibility);
 /// The open segment from x to y, x != y, against the union of all closed pieces.
 Visibility visibility(const std::vector<const Polygon*>& scene, const RationalPoint& x, const RationalPoint& y);
 
+/// The point is one of the closed piece.
+bool lies_on(const RationalPoint& point, const Piece& piece);
+
 }  // namespace cob::naive
