@@ -148,11 +148,13 @@ bool many_cover(const Scene& scene, PolygonId polygon, const Box::Prepared& box,
     return pieces_cover(RationalKernel(rise_squared), box.exact().frame, pieces);
 }
 
-/// All corners of the polygon lie exactly in the element's plane.
+/// All pieces of the polygon lie exactly in the element's plane. Its loop may leave it, where SPEC 2 drops a spike.
 bool in_base_plane(const Scene& scene, PolygonId polygon, const Box::Prepared& box) {
-    for (const VertexId vertex : scene.loop(polygon)) {
-        const Vector3<Rational> q = box.exact().to_frame(to_rational(scene.position(vertex)));
-        if (q.z != box.exact().frame.low.z) return false;
+    for (const Piece& piece : scene.pieces_of(polygon)) {
+        for (const VertexId vertex : scene.corners(piece)) {
+            const Vector3<Rational> q = box.exact().to_frame(to_rational(scene.position(vertex)));
+            if (q.z != box.exact().frame.low.z) return false;
+        }
     }
     return true;
 }

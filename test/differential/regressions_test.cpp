@@ -1,5 +1,6 @@
-// Differences from the naive twin that were found, each with its reason: SPEC 6.
+// Differences from the naive twin that were found, each with its reason.
 #include "cob/candidates.hpp"
+#include "cob/geometry.hpp"
 #include "cob/visibility.hpp"
 #include "differential/scenes.hpp"
 #include "naive/visibility.hpp"
@@ -59,6 +60,18 @@ TEST(Regressions, Visibility) {
                      to_text(row.answer))
             << row.reason;
     }
+}
+
+// SPEC 5: "p lies in the element's plane", where p is the union of its pieces (SPEC 2): the spike out of the plane is
+// dropped when the loop is cut, and the polygon casts no shadow beside it.
+TEST(Regressions, CoplanarIsSaidOfThePieces) {
+    const std::vector<Point> spiked{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {6, 4, 1}, {4, 4, 0}, {0, 4, 0}};
+    const Scene scene = library_scene({{spiked, false}});
+    ASSERT_FALSE(scene.polygon(0).planar);
+    BoxQuestion question;
+    question.corners = {{Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{}}, 3};
+    question.u = Point{1, 0, 0};
+    EXPECT_EQ(relate(scene, 0, Box(question)).relation, Relation::coplanar);
 }
 
 }  // namespace

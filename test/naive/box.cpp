@@ -189,16 +189,25 @@ bool faces(const Polygon& light, const Box& box) {
     return false;
 }
 
-State state(const std::vector<SceneItem>& scene, int own_polygon, const Box& box) {
+std::vector<Answer> relate_all(const std::vector<SceneItem>& scene, int own_polygon, const Box& box) {
+    std::vector<Answer> answers(scene.size());
+    for (std::size_t id = 0; id < scene.size(); ++id) {
+        const Polygon& polygon = scene[id].polygon;
+        if (static_cast<int>(id) == own_polygon || !polygon.refused.empty()) continue;
+        answers[id].relation = relate(polygon, box);
+        if (!answers[id].close()) continue;
+        answers[id].covers = covers(polygon, box);
+        answers[id].lights_it = scene[id].emits && faces(polygon, box);
+    }
+    return answers;
+}
+
+State state(const std::vector<Answer>& answers) {
     State result;
-    for (int id = 0; id < static_cast<int>(scene.size()); ++id) {
-        const SceneItem& item = scene[static_cast<std::size_t>(id)];
-        if (id == own_polygon || !item.polygon.refused.empty()) continue;
-        const Relation relation = relate(item.polygon, box);
-        if (relation != Relation::crossing && relation != Relation::boundary) continue;
-        result.close.push_back(id);
-        if (covers(item.polygon, box)) result.cover.push_back(id);
-        if (item.emits && faces(item.polygon, box)) result.light.push_back(id);
+    for (std::size_t id = 0; id < answers.size(); ++id) {
+        if (answers[id].close()) result.close.push_back(static_cast<int>(id));
+        if (answers[id].covers) result.cover.push_back(static_cast<int>(id));
+        if (answers[id].lights_it) result.light.push_back(static_cast<int>(id));
     }
     if (!result.cover.empty() && result.light.empty()) {
         result.name = "occluded";

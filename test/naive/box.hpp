@@ -45,11 +45,20 @@ struct SceneItem {
     bool emits = false;
 };
 
+/// What one polygon of the scene is to a box. Of the own polygon and of refused ones: disjoint.
+struct Answer {
+    Relation relation = Relation::disjoint;
+    bool covers = false;     ///< Only where close.
+    bool lights_it = false;  ///< A close light that faces the element.
+    bool close() const { return relation == Relation::crossing || relation == Relation::boundary; }
+};
+std::vector<Answer> relate_all(const std::vector<SceneItem>& scene, int own_polygon, const Box& box);
+
 /// The buffer of a box built from the whole scene (SPEC 5).
 struct State {
     const char* name = "empty";            ///< occluded, close or empty.
     std::vector<int> close, cover, light;  ///< Ascending polygon numbers, as in states.csv.
 };
-State state(const std::vector<SceneItem>& scene, int own_polygon, const Box& box);
+State state(const std::vector<Answer>& answers);
 
 }  // namespace cob::naive
