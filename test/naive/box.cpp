@@ -97,10 +97,10 @@ std::vector<Vector3<Surd>> below_top(const Corners& part, const Surd& top) {
     return kept;
 }
 
-/// The relation of one piece. The closed part of a convex piece in the closed box has a middle, the mean of its
-/// corners; the piece meets the open interior exactly where this middle does.
-Relation relate(const Corners& piece, bool in_plane, const Box& box) {
-    const auto above = clip(over_rectangle(piece, box), [](const Frame& p) { return p.z; });
+/// The relation of one piece, by what of it is over the rectangle. The closed part of a convex piece in the closed box
+/// has a middle, the mean of its corners; the piece meets the open interior exactly where this middle does.
+Relation relation_of(const Corners& over, bool in_plane, const Box& box) {
+    const auto above = clip(over, [](const Frame& p) { return p.z; });
     const Surd top = Surd::root(box.top_squared);
     const auto part = below_top(above, top);
     if (part.empty()) return Relation::disjoint;
@@ -123,34 +123,34 @@ Relation relate(const Corners& piece, bool in_plane, const Box& box) {
     return in_plane ? Relation::coplanar : Relation::base;
 }
 
-}  // namespace
-
-Relation relate(const Polygon& polygon, const Box& box) {
-    std::vector<Corners> pieces;
-    bool in_plane = true;
-    for (const Piece& piece : polygon.pieces) {
-        pieces.push_back(in_frame(piece.corners, box));
-        for (const Frame& corner : pieces.back()) in_plane = in_plane && corner.z == 0;
-    }
-    Relation strongest = Relation::disjoint;
-    for (const auto& piece : pieces) strongest = std::max(strongest, relate(piece, in_plane, box));
-    return strongest;
-}
-
-bool covers(const Polygon& polygon, const Box& box) {
+/// The pieces hide the whole rectangle, and all of them over it is at 0 < z <= h.
+bool covers(std::vector<Corners> over, const Box& box) {
     const Surd top = Surd::root(box.top_squared);
-    std::vector<Corners> hidden;
-    for (const Piece& piece : polygon.pieces) {
-        Corners over = over_rectangle(in_frame(piece.corners, box), box);
-        for (Frame& corner : over) {
+    for (Corners& piece : over) {
+        for (Frame& corner : piece) {
             if (corner.z <= 0 || (top - corner.z).sign() < 0) return false;
             corner.z = 0;
         }
-        hidden.push_back(over);
     }
     const Corners rectangle{
         {box.low_u, box.low_w, 0}, {box.high_u, box.low_w, 0}, {box.high_u, box.high_w, 0}, {box.low_u, box.high_w, 0}};
-    return subtract_all(rectangle, hidden).empty();
+    return subtract_all(rectangle, over).empty();
+}
+
+}  // namespace
+
+Answer relate(const Polygon& polygon, const Box& box) {
+    std::vector<Corners> over;
+    bool in_plane = true;
+    for (const Piece& piece : polygon.pieces) {
+        const Corners corners = in_frame(piece.corners, box);
+        for (const Frame& corner : corners) in_plane = in_plane && corner.z == 0;
+        over.push_back(over_rectangle(corners, box));
+    }
+    Answer answer;
+    for (const Corners& piece : over) answer.relation = std::max(answer.relation, relation_of(piece, in_plane, box));
+    answer.covers = answer.close() && covers(over, box);
+    return answer;
 }
 
 namespace {
@@ -194,10 +194,8 @@ std::vector<Answer> relate_all(const std::vector<SceneItem>& scene, int own_poly
     for (std::size_t id = 0; id < scene.size(); ++id) {
         const Polygon& polygon = scene[id].polygon;
         if (static_cast<int>(id) == own_polygon || !polygon.refused.empty()) continue;
-        answers[id].relation = relate(polygon, box);
-        if (!answers[id].close()) continue;
-        answers[id].covers = covers(polygon, box);
-        answers[id].lights_it = scene[id].emits && faces(polygon, box);
+        answers[id] = relate(polygon, box);
+        answers[id].lights_it = answers[id].close() && scene[id].emits && faces(polygon, box);
     }
     return answers;
 }

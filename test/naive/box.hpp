@@ -34,8 +34,14 @@ enum class Shared { none, vertex, edge };
 const char* to_text(Relation relation);
 const char* to_text(Shared shared);
 
-Relation relate(const Polygon& polygon, const Box& box);
-bool covers(const Polygon& polygon, const Box& box);
+/// What a polygon is to a box.
+struct Answer {
+    Relation relation = Relation::disjoint;
+    bool covers = false;
+    bool lights_it = false;  ///< A close light that faces the element; only from relate_all().
+    bool close() const { return relation == Relation::crossing || relation == Relation::boundary; }
+};
+Answer relate(const Polygon& polygon, const Box& box);
 Shared shared(const Polygon& a, const Polygon& b);
 bool faces(const Polygon& light, const Box& box);
 
@@ -45,13 +51,7 @@ struct SceneItem {
     bool emits = false;
 };
 
-/// What one polygon of the scene is to a box. Of the own polygon and of refused ones: disjoint.
-struct Answer {
-    Relation relation = Relation::disjoint;
-    bool covers = false;     ///< Only where close.
-    bool lights_it = false;  ///< A close light that faces the element.
-    bool close() const { return relation == Relation::crossing || relation == Relation::boundary; }
-};
+/// Every polygon of a scene; disjoint for the own polygon and for refused ones.
 std::vector<Answer> relate_all(const std::vector<SceneItem>& scene, int own_polygon, const Box& box);
 
 /// The buffer of a box built from the whole scene (SPEC 5).
