@@ -7,8 +7,8 @@
 
 namespace cob {
 
-/// Called now and then, from one thread at a time, with the units done and in total; an exception that it throws
-/// ends the work and reaches its caller, and no output file appears. Empty: nobody is told.
+/// Called now and then, from one thread at a time, with the units done and in total (0: not known); an exception that
+/// it throws ends the work and reaches its caller, and no output file appears. Empty: nobody is told.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 }  // namespace cob

@@ -27,13 +27,16 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(std::uint64_t done, std::uint64_t total) {
-        if (!terminal_ || total == 0) return;
+        if (!terminal_) return;
         const auto now = std::chrono::steady_clock::now();
         if (now - last_ < std::chrono::milliseconds(200)) return;
         last_ = now;
         shown_ = true;
-        const double percent = 100 * static_cast<double>(done) / static_cast<double>(total);
-        std::fprintf(stderr, "\r\033[K%s %.0f %%", title_.c_str(), percent);
+        if (total > 0)
+            std::fprintf(stderr, "\r\033[K%s %.0f %%", title_.c_str(),
+                         100 * static_cast<double>(done) / static_cast<double>(total));
+        else
+            std::fprintf(stderr, "\r\033[K%s %llu", title_.c_str(), static_cast<unsigned long long>(done));
         std::fflush(stderr);
     }
 

@@ -21,8 +21,8 @@ void catch_interrupts();
 /// Ctrl-C was pressed since catch_interrupts().
 bool interrupted();
 
-/// Shows "title 42 %" on standard error where that is a terminal, a few times a second, and throws Interrupted after
-/// Ctrl-C. Calls catch_interrupts().
+/// Shows "title 42 %" (or the count, where the total is not known) on standard error where that is a terminal, a few
+/// times a second, and throws Interrupted after Ctrl-C. Calls catch_interrupts().
 Progress terminal_progress(std::string title);
 
 }  // namespace cob::cli

@@ -1,0 +1,38 @@
+/// \file
+/// Answers the questions of a golden set, whatever program wrote it (SPEC section 7).
+#pragma once
+
+#include "cob/candidates.hpp"
+#include "cob/geometry.hpp"
+#include "cob/progress.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace cob {
+
+struct AnswerOptions {
+    /// Of the relations between polygons and boxes; `exact` gives the golden answers.
+    Arithmetic arithmetic = Arithmetic::exact;
+    Source source = Source::cgal;
+    int threads = 0;            ///< 0: one for each processor.
+    bool skip_invalid = false;  ///< Refused polygons keep their numbers and occur in no answer.
+    Progress progress;          ///< Counts questions; how many there are is not known.
+};
+
+struct AnswerSummary {
+    std::uint64_t boxes = 0, relations = 0;  ///< Rows of states.csv and relations.csv.
+    std::uint64_t segments = 0;              ///< Rows of visibility.csv.
+    std::uint64_t undecided = 0;             ///< Relations and states, in Arithmetic::interval.
+    PredicateCounters predicates;
+    bool has_boxes = false, has_segments = false;  ///< Which questions the set has.
+};
+
+/// Reads scene.obj and the tables of questions that the set has, and writes their answers, and nothing else, into the
+/// folder: boxes.csv gives states.csv and relations.csv, segments.csv gives visibility.csv. Streams: memory does not
+/// grow with the number of questions. The columns from and to of segments.csv must name polygons of the scene, but
+/// are not trusted: the answer is that of the two points. Throws InputError: no scene, no questions, a question that
+/// SPEC refuses, with its line.
+AnswerSummary answer_set(const std::string& set, const std::string& folder, const AnswerOptions& options);
+
+}  // namespace cob

@@ -1,0 +1,27 @@
+/// \file
+/// What this process has used: for summaries, never for answers.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace cob {
+
+/// Most bytes of memory that the process has held at any time so far.
+std::uint64_t peak_memory();
+
+/// Seconds since it was made or since the last lap().
+class Stopwatch {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - begin_).count();
+        begin_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace cob

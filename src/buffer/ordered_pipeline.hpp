@@ -1,0 +1,75 @@
+/// \file
+/// Blocks of work on several threads, taken up and put down in one order: same bytes for any number of threads, and
+/// memory bounded by the blocks under way.
+#pragma once
+
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <memory>
+#include <thread>
+
+namespace cob {
+
+/// The number of threads that the user's option means: 0 is one for each processor.
+inline int thread_count(int option) {
+    if (option > 0) return option;
+    const unsigned processors = std::thread::hardware_concurrency();
+    return processors > 0 ? static_cast<int>(processors) : 1;
+}
+
+/// produce(block) fills the next block, false at the end, in order; work(block) runs on any thread; consume(block)
+/// again in order. Of several exceptions the one of the earliest block leaves.
+template <class Block, class Produce, class Work, class Consume>
+void ordered_pipeline(int threads, const Produce& produce, const Work& work, const Consume& consume) {
+    if (threads == 1) {
+        for (Block block; produce(block); block = Block()) {
+            work(block);
+            consume(block);
+        }
+        return;
+    }
+    struct Slot {
+        Block block;
+        std::exception_ptr failure;
+    };
+    using SlotPointer = std::shared_ptr<Slot>;
+    bool ended = false;
+    const auto take = [&](tbb::flow_control& control) -> SlotPointer {
+        auto slot = std::make_shared<Slot>();
+        try {
+            ended = ended || !produce(slot->block);
+        } catch (...) {
+            // Blocks before it may still fail: the failure waits for its turn.
+            slot->failure = std::current_exception();
+        }
+        if (ended) {
+            control.stop();
+            return nullptr;
+        }
+        ended = static_cast<bool>(slot->failure);
+        return slot;
+    };
+    const auto run = [&](SlotPointer slot) -> SlotPointer {
+        try {
+            if (!slot->failure) work(slot->block);
+        } catch (...) {
+            slot->failure = std::current_exception();
+        }
+        return slot;
+    };
+    const auto put = [&](SlotPointer slot) {
+        if (slot->failure) std::rethrow_exception(slot->failure);
+        consume(slot->block);
+    };
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_pipeline(static_cast<std::size_t>(4 * threads),
+                               tbb::make_filter<void, SlotPointer>(tbb::filter_mode::serial_in_order, take) &
+                                   tbb::make_filter<SlotPointer, SlotPointer>(tbb::filter_mode::parallel, run) &
+                                   tbb::make_filter<SlotPointer, void>(tbb::filter_mode::serial_in_order, put));
+    });
+}
+
+}  // namespace cob

@@ -1,0 +1,67 @@
+// cob answer: answers the questions of a set.
+#include "cob/answer.hpp"
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/terminal.hpp"
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace cob::cli {
+namespace {
+
+const std::map<std::string, Arithmetic>& arithmetics() {
+    static const std::map<std::string, Arithmetic> names = {
+        {"exact", Arithmetic::exact},     {"float", Arithmetic::binary32},    {"double", Arithmetic::binary64},
+        {"epsilon", Arithmetic::epsilon}, {"interval", Arithmetic::interval}, {"rational", Arithmetic::rational}};
+    return names;
+}
+
+struct AnswerCommand {
+    std::string set, folder, arithmetic = "exact";
+    SourceOption source;
+    AnswerOptions options;
+
+    void add_to(CLI::App& command) {
+        command.add_option("SET", set, "Folder with scene.obj and boxes.csv or segments.csv")->required();
+        command
+            .add_option("--arithmetic", arithmetic,
+                        "Arithmetic of the relations; exact: filter first, then exactly; rational: fractions alone")
+            ->check(CLI::IsMember({"exact", "float", "double", "epsilon", "interval", "rational"}));
+        source.add_to(command);
+        add_threads(command, options.threads);
+        command.add_flag("--skip-invalid", options.skip_invalid,
+                         "Go on where polygons are refused: they keep their numbers and occur in no answer");
+        add_output_folder(command, folder);
+    }
+
+    void run() {
+        options.arithmetic = arithmetics().at(arithmetic);
+        options.source = source.source();
+        options.progress = terminal_progress("answering");
+        const AnswerSummary summary = answer_set(set, folder, options);
+        const auto whole = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+        if (summary.has_boxes)
+            std::printf("boxes %llu, relations %llu\n", whole(summary.boxes), whole(summary.relations));
+        if (summary.has_segments) std::printf("segments %llu\n", whole(summary.segments));
+        if (summary.undecided > 0) std::printf("undecided %llu\n", whole(summary.undecided));
+        std::printf("predicates: %llu filtered, %llu integer, %llu rational\n", whole(summary.predicates.filtered),
+                    whole(summary.predicates.integer), whole(summary.predicates.rational));
+    }
+};
+
+}  // namespace
+
+void add_answer(CLI::App& app) {
+    auto& command = *app.add_subcommand(
+        "answer",
+        "Answers the questions of a set: states.csv and relations.csv for boxes, visibility.csv for segments");
+    const auto options = std::make_shared<AnswerCommand>();
+    options->add_to(command);
+    command.callback([options] { options->run(); });
+}
+
+}  // namespace cob::cli

@@ -1,0 +1,107 @@
+// cob classify: the state of every element's buffer.
+#include "arithmetic/process.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/terminal.hpp"
+#include "cob/files.hpp"
+#include "report/classify_scene.hpp"
+#include "report/classify_summary.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace cob::cli {
+namespace {
+
+struct ClassifyCommand {
+    SceneOptions scene;
+    MeshingOptions meshing;
+    SourceOption source;
+    std::string levels = "element", mode = "strict", folder;
+    int threads = 0;
+    bool states_only = false, no_boxes = false, no_relations = false, no_ply = false;
+
+    void add_to(CLI::App& command) {
+        scene.add_to(command);
+        meshing.add_to(command);
+        command
+            .add_option("--buffer", levels,
+                        "Buffers that an element's buffer is built from: none (element), that of its whole "
+                        "polygon's piece (polygon), or every level of the quadtree (tree)")
+            ->check(CLI::IsMember({"element", "polygon", "tree"}));
+        command
+            .add_option("--mode", mode,
+                        "Under an occluded buffer: test from the scene (strict), or the paper's: occluded, too "
+                        "(inherit), and the difference is reported")
+            ->check(CLI::IsMember({"strict", "inherit"}));
+        source.add_to(command);
+        add_threads(command, threads);
+        command.add_flag("--no-boxes", no_boxes, "Leave out boxes.csv");
+        command.add_flag("--no-relations", no_relations, "Leave out relations.csv: then only what is close is tested");
+        command.add_flag("--no-ply", no_ply, "Leave out elements.ply");
+        command.add_flag("--states-only", states_only, "Leave out all three");
+        add_output_folder(command, folder);
+    }
+
+    void run() const {
+        // Options.
+        ClassifySceneOptions options;
+        options.classify.levels = levels == "tree"      ? BufferLevels::tree
+                                  : levels == "polygon" ? BufferLevels::polygon
+                                                        : BufferLevels::element;
+        options.classify.buffer.mode = mode == "inherit" ? BufferMode::inherit : BufferMode::strict;
+        meshing.set(options.classify.buffer);
+        const Meshing cut = meshing.meshing();
+        options.threads = threads;
+        options.boxes = !states_only && !no_boxes;
+        options.relations = !states_only && !no_relations;
+        options.ply = !states_only && !no_ply;
+        options.progress = terminal_progress("classifying");
+
+        // Scene, elements, candidates.
+        ClassifySummary summary;
+        Stopwatch watch;
+        const Scene read_scene = scene.read();
+        summary.read_seconds = watch.lap();
+        const Roots roots(read_scene);
+        const ElementList elements(read_scene, roots, cut);
+        summary.mesh_seconds = watch.lap();
+        const auto candidates = make_candidates(read_scene, source.source());
+        summary.tree_seconds = watch.lap();
+
+        // Buffers.
+        create_folder(folder);
+        summary.result = classify_scene(elements, *candidates, folder, options);
+        summary.classify_seconds = watch.lap();
+
+        // Summary.
+        summary.parameters = {{"scene", scene.path},
+                              {"level", std::to_string(meshing.level)},
+                              {"edge", meshing.edge},
+                              {"margin", meshing.margin},
+                              {"height", meshing.height},
+                              {"buffer", levels},
+                              {"mode", mode},
+                              {"source", source.name},
+                              {"threads", std::to_string(threads)}};
+        summary.polygons = static_cast<std::uint64_t>(read_scene.polygon_count());
+        summary.skipped = read_scene.invalid().size();
+        summary.tree_bytes = candidates->memory();
+        summary.peak_bytes = peak_memory();
+        write_file(folder + "/summary.json", to_json(summary));
+        std::fputs(to_text(summary).c_str(), stdout);
+    }
+};
+
+}  // namespace
+
+void add_classify(CLI::App& app) {
+    auto& command = *app.add_subcommand(
+        "classify", "The state of every element's Close Object Buffer: tables, a PLY coloured by state, a summary");
+    const auto options = std::make_shared<ClassifyCommand>();
+    options->add_to(command);
+    command.callback([options] { options->run(); });
+}
+
+}  // namespace cob::cli

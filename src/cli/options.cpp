@@ -1,0 +1,72 @@
+#include "cli/options.hpp"
+
+#include "cob/error.hpp"
+
+#include <cstdio>
+
+namespace cob::cli {
+
+Rational exact_option(const char* option, const std::string& text, bool positive) {
+    const auto value = parse_exact(text);
+    if (!value || *value < 0 || (positive && *value == 0))
+        throw InputError(std::string(option) + " is no number " + (positive ? "above 0" : "from 0 up"),
+                         {"", 0, text.empty() ? "(nothing)" : text, "give a decimal, a C hex-float or a fraction p/q"});
+    return *value;
+}
+
+void SceneOptions::add_to(CLI::App& command) {
+    command.add_option("SCENE", path, "OBJ file of the scene")->required()->capture_default_str();
+    command.add_flag("--skip-invalid", skip_invalid,
+                     "Go on where polygons are refused: they are listed, keep their numbers and occur in no answer");
+}
+
+Scene SceneOptions::read() const {
+    ReadOptions options;
+    options.skip_invalid = skip_invalid;
+    ReadReport report;
+    Scene scene = read_obj(path, options, &report);
+    for (const std::string& warning : report.warnings) std::fprintf(stderr, "cob: warning: %s\n", warning.c_str());
+    for (const InvalidPolygon& invalid : scene.invalid())
+        std::fprintf(stderr, "cob: skipped polygon %d (%s:%u): %s\n", invalid.polygon, path.c_str(), invalid.line,
+                     invalid.reason.c_str());
+    return scene;
+}
+
+void MeshingOptions::add_to(CLI::App& command) {
+    command.add_option("--level", level, "Refinements below the patches; each makes 4 elements of one")
+        ->check(CLI::Range(0, 20));
+    command.add_option("--edge", edge, "Longest side of a patch, in the scene's unit; 0: every piece is one patch");
+    command.add_option("--margin", margin, "Widening of the box on each side, as a fraction of the element's extent");
+    command.add_option("--height", height, "Height of the box, as a fraction of its shorter widened extent");
+}
+
+Meshing MeshingOptions::meshing() const {
+    const auto length = to_binary64(exact_option("--edge", edge, false));
+    if (!length) throw InputError("--edge is no binary64 number", {"", 0, edge, "give a decimal"});
+    return {*length, level};
+}
+
+void MeshingOptions::set(BufferOptions& options) const {
+    options.margin = exact_option("--margin", margin, false);
+    options.height = exact_option("--height", height, true);
+}
+
+void SourceOption::add_to(CLI::App& command) {
+    command.add_option("--source", name, "Where candidates come from: a CGAL AABB tree, Embree, or all polygons")
+        ->check(CLI::IsMember({"cgal", "embree", "all"}));
+}
+
+Source SourceOption::source() const {
+    return name == "all" ? Source::all : name == "embree" ? Source::embree : Source::cgal;
+}
+
+void add_threads(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "Number of threads; 0: one for each processor")
+        ->check(CLI::Range(0, 1024));
+}
+
+void add_output_folder(CLI::App& command, std::string& folder) {
+    command.add_option("-o,--output", folder, "Folder for the results; it is created")->required();
+}
+
+}  // namespace cob::cli

@@ -1,0 +1,53 @@
+/// \file
+/// Options that several commands share: each registers itself, shows its default and is checked when it is used.
+#pragma once
+
+#include "cob/buffer.hpp"
+#include "cob/candidates.hpp"
+#include "cob/classify.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace cob::cli {
+
+/// Reads the value of an option as an exact number (decimal, C hex-float or fraction p/q) that is at least 0, or
+/// above it. Throws InputError.
+Rational exact_option(const char* option, const std::string& text, bool positive);
+
+/// SCENE and how to read it.
+struct SceneOptions {
+    std::string path;
+    bool skip_invalid = false;
+
+    void add_to(CLI::App& command);
+    /// Reads the scene; warnings and skipped polygons go to standard error.
+    Scene read() const;
+};
+
+/// --level, --edge, --margin, --height: the elements and their boxes.
+struct MeshingOptions {
+    int level = 0;
+    std::string edge = "0", margin = "0.125", height = "0.25";
+
+    void add_to(CLI::App& command);
+    Meshing meshing() const;
+    /// Sets margin and height.
+    void set(BufferOptions& options) const;
+};
+
+/// --source
+struct SourceOption {
+    std::string name = "cgal";
+
+    void add_to(CLI::App& command);
+    Source source() const;
+};
+
+/// --threads
+void add_threads(CLI::App& command, int& threads);
+/// -o DIR
+void add_output_folder(CLI::App& command, std::string& folder);
+
+}  // namespace cob::cli

@@ -1,0 +1,39 @@
+#include "golden/answer.hpp"
+
+#include "cob/files.hpp"
+
+#include <filesystem>
+
+namespace cob {
+
+void refuse_unknown_polygon(const Scene& scene, PolygonId polygon) {
+    if (polygon >= scene.polygon_count())
+        throw InputError("no such polygon", {"", 0, std::to_string(polygon),
+                                             "give -1 or 0 to " + std::to_string(scene.polygon_count() - 1)});
+    if (polygon != no_polygon && !scene.polygon(polygon).valid)
+        throw InputError("polygon is not valid", {"", 0, std::to_string(polygon), "give -1 or another polygon"});
+}
+
+AnswerSummary answer_set(const std::string& set, const std::string& folder, const AnswerOptions& options) {
+    ReadOptions read;
+    read.skip_invalid = options.skip_invalid;
+    const Scene scene = read_obj(set + "/scene.obj", read);
+
+    AnswerSummary summary;
+    const auto has = [&](const char* table) { return std::filesystem::exists(set + "/" + table); };
+    summary.has_boxes = has(table_name<BoxRow>());
+    summary.has_segments = has(table_name<SegmentRow>());
+    if (!summary.has_boxes && !summary.has_segments)
+        throw InputError("set without questions", {set, 0, "", "add boxes.csv or segments.csv"});
+
+    const auto source = make_candidates(scene, options.source);
+    create_folder(folder);
+    const AnswerJob job{scene, *source, set, folder, options};
+    AnswerFiles files;
+    if (summary.has_boxes) answer_boxes(job, files, summary);
+    if (summary.has_segments) answer_segments(job, files, summary);
+    files.commit();
+    return summary;
+}
+
+}  // namespace cob

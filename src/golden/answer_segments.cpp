@@ -1,0 +1,51 @@
+// segments.csv -> visibility.csv.
+#include "buffer/ordered_pipeline.hpp"
+#include "cob/visibility.hpp"
+#include "golden/answer.hpp"
+
+namespace cob {
+namespace {
+
+constexpr std::size_t block_size = 4096;
+
+struct Block {
+    std::vector<SegmentRow> rows;
+    std::string visibility;
+    PredicateCounters predicates;
+};
+
+}  // namespace
+
+void answer_segments(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary) {
+    if (job.options.arithmetic != Arithmetic::exact)
+        throw InputError("segments are answered in exact arithmetic only",
+                         {job.question_path<SegmentRow>(), 0, "", "use --arithmetic exact"});
+    const std::string path = job.question_path<SegmentRow>();
+    TableReader<SegmentRow> questions(path);
+    auto& visibility = files.visibility.emplace(job.answer_path<VisibilityRow>());
+    const VisibilityOracle oracle(job.scene, job.source);
+    ordered_pipeline<Block>(
+        thread_count(job.options.threads),
+        [&](Block& block) {
+            block.rows = read_rows(questions, block_size);
+            return !block.rows.empty();
+        },
+        [&](Block& block) {
+            for (const SegmentRow& row : block.rows)
+                at_line(path, row.line, [&] {
+                    refuse_unknown_polygon(job.scene, row.from_polygon);
+                    refuse_unknown_polygon(job.scene, row.to_polygon);
+                    const Segment segment{row.from, row.to, -1, -1};
+                    append_row(block.visibility, VisibilityRow{row.segment, oracle(segment, &block.predicates), true});
+                });
+            block.rows = {};
+        },
+        [&](const Block& block) {
+            visibility.write_lines(block.visibility);
+            summary.predicates += block.predicates;
+            if (job.options.progress) job.options.progress(visibility.rows(), 0);
+        });
+    summary.segments = visibility.rows();
+}
+
+}  // namespace cob
