@@ -12,7 +12,7 @@
 namespace cob {
 
 struct AnswerOptions {
-    /// Of the relations between polygons and boxes; `exact` gives the golden answers.
+    /// Of the predicates; `exact` gives the golden answers. Questions are read and boxes refused exactly in all.
     Arithmetic arithmetic = Arithmetic::exact;
     Source source = Source::cgal;
     int threads = 0;            ///< 0: one for each processor.
@@ -23,7 +23,7 @@ struct AnswerOptions {
 struct AnswerSummary {
     std::uint64_t boxes = 0, relations = 0;  ///< Rows of states.csv and relations.csv.
     std::uint64_t segments = 0;              ///< Rows of visibility.csv.
-    std::uint64_t undecided = 0;             ///< Relations and states, in Arithmetic::interval.
+    std::uint64_t undecided = 0;             ///< Relations, states and segments, in Arithmetic::interval.
     PredicateCounters predicates;
     bool has_boxes = false, has_segments = false;  ///< Which questions the set has.
 };

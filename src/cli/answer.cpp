@@ -29,7 +29,7 @@ struct AnswerCommand {
         command.add_option("SET", set, "Folder with scene.obj and boxes.csv or segments.csv")->required();
         command
             .add_option("--arithmetic", arithmetic,
-                        "Arithmetic of the relations; exact: filter first, then exactly; rational: fractions alone")
+                        "Arithmetic of the answers; exact: filter first, then exactly; rational: fractions alone")
             ->check(CLI::IsMember({"exact", "float", "double", "epsilon", "interval", "rational"}));
         source.add_to(command);
         add_threads(command, options.threads);

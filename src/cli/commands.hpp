@@ -10,7 +10,7 @@ namespace cob::cli {
 // with an exit code where the code is part of its meaning (verify).
 void add_answer(CLI::App& app);
 void add_classify(CLI::App& app);
-
+void add_explain(CLI::App& app);
 void add_info(CLI::App& app);
 void add_occlude(CLI::App& app);
 void add_verify(CLI::App& app);

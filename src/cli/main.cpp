@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     cob::cli::add_occlude(app);
     cob::cli::add_verify(app);
     cob::cli::add_classify(app);
+    cob::cli::add_explain(app);
     cob::cli::add_answer(app);
     try {
         app.parse(argc, argv);

@@ -11,15 +11,13 @@ constexpr std::size_t block_size = 4096;
 struct Block {
     std::vector<SegmentRow> rows;
     std::string visibility;
+    std::uint64_t undecided = 0;
     PredicateCounters predicates;
 };
 
 }  // namespace
 
 void answer_segments(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary) {
-    if (job.options.arithmetic != Arithmetic::exact)
-        throw InputError("segments are answered in exact arithmetic only",
-                         {job.question_path<SegmentRow>(), 0, "", "use --arithmetic exact"});
     const std::string path = job.question_path<SegmentRow>();
     TableReader<SegmentRow> questions(path);
     auto& visibility = files.visibility.emplace(job.answer_path<VisibilityRow>());
@@ -36,12 +34,15 @@ void answer_segments(const AnswerJob& job, AnswerFiles& files, AnswerSummary& su
                     refuse_unknown_polygon(job.scene, row.from_polygon);
                     refuse_unknown_polygon(job.scene, row.to_polygon);
                     const Segment segment{row.from, row.to, -1, -1};
-                    append_row(block.visibility, VisibilityRow{row.segment, oracle(segment, &block.predicates), true});
+                    const VisibilityAnswer answer = oracle(segment, job.options.arithmetic, &block.predicates);
+                    append_row(block.visibility, VisibilityRow{row.segment, answer.visibility, answer.decided});
+                    block.undecided += !answer.decided;
                 });
             block.rows = {};
         },
         [&](const Block& block) {
             visibility.write_lines(block.visibility);
+            summary.undecided += block.undecided;
             summary.predicates += block.predicates;
             if (job.options.progress) job.options.progress(visibility.rows(), 0);
         });
