@@ -35,8 +35,8 @@ bool is_planar(const SeenLoop& loop);
 /// around once.
 bool is_convex(const SeenLoop& loop);
 
-/// The numbers of two sides that cross as seen, in the interior of both; the first such pair in no particular
-/// order of pairs, but the same one for the same loop. Side k runs from corner k to the next.
+/// The numbers of two sides that cross as seen, in the interior of both: the first side that crosses a later one, and
+/// the first that it crosses. Side k runs from corner k to the next.
 struct SidePair {
     std::size_t first, second;
 };
