@@ -1,10 +1,10 @@
 // The census behind `cob info`, against brute force over all pairs in fractions.
 #include "cob/census.hpp"
 #include "scene/scenes.hpp"
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
@@ -188,7 +188,8 @@ TEST(Census, NamesWhatIsSpecial) {
 
 // "planar as decimal text but not as binary64": the plane x + y + z = 0.3, whose corners are no binary64 numbers.
 TEST(Census, FindsWhatIsPlanarAsWritten) {
-    const std::string path = testing::TempDir() + "cob_decimal.obj";
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "decimal.obj";
     std::ofstream(path)
         << "v 0.1 0.1 0.1\nv 0.3 0.1 -0.1\nv 0.3e0 +.4 -4E-1\nv 10e-2 0.7 -0.50\nv 0.1 0.7 -0.5000000000000001\n"
            "f 1 2 3 4\nf 1 2 3 5\nf 1 2 3\n";
@@ -196,7 +197,6 @@ TEST(Census, FindsWhatIsPlanarAsWritten) {
     ASSERT_FALSE(scene.polygon(0).planar);
     ASSERT_FALSE(scene.polygon(1).planar);
     EXPECT_EQ(planar_as_decimal(scene, path), std::vector<PolygonId>{0});
-    std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // The reader of OBJ and MTL: what it takes, what it refuses and where it says so (SPEC sections 1 and 2).
 #include "cob/error.hpp"
 #include "cob/scene.hpp"
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -17,14 +17,7 @@ namespace {
 /// A folder of its own for each test.
 class ObjFile : public testing::Test {
 protected:
-    void SetUp() override {
-        folder_ = testing::TempDir() + "cob_obj_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return folder_ + "/" + name; }
+    std::string path(const std::string& name) const { return folder_ / name; }
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(path(name), std::ios::binary) << text;
     }
@@ -34,7 +27,7 @@ protected:
         return read_obj(path("scene.obj"), options, &report_);
     }
 
-    std::string folder_;
+    test::TemporaryFolder folder_;
     ReadReport report_;
 };
 
@@ -229,7 +222,7 @@ TEST_F(ObjFile, RefusesImpossibleMaterials) {
 
 TEST_F(ObjFile, RefusesWhatIsNoFile) {
     EXPECT_THROW(read_obj(path("gone.obj"), {}), InputError);
-    EXPECT_THROW(read_obj(folder_, {}), InputError);
+    EXPECT_THROW(read_obj(folder_.path(), {}), InputError);
     const Scene scene = read("mtllib . .. / /dev/zero\n");
     EXPECT_EQ(scene.polygon_count(), 0);
     EXPECT_EQ(report_.warnings.size(), 4u);
