@@ -29,7 +29,7 @@ struct Classification {
     std::vector<PolygonId> close;       ///< Crossing or boundary, also where the state is occluded.
     std::vector<PolygonId> cover;       ///< Those of close that cover the element.
     std::vector<PolygonId> light;       ///< Those of close that are lights and face the element.
-    std::uint64_t tested = 0;           ///< Candidates whose relation was evaluated.
+    std::uint64_t tested = 0;  ///< Candidates whose bounds meet those of the box: their relation was evaluated.
 };
 
 /// Classifies boxes one after another, reusing its memory. One thread each.
@@ -48,6 +48,9 @@ public:
     const PredicateCounters& counters() const { return counters_; }
 
 private:
+    void test(const Box& box, PolygonId polygon, Classification& result);
+    bool bounds_meet(PolygonId polygon, const std::array<double, 6>& bounds) const;
+
     const Scene& scene_;
     Arithmetic arithmetic_;
     PredicateCounters counters_;

@@ -10,6 +10,9 @@ namespace cob {
 /// Most bytes of memory that the process has held at any time so far.
 std::uint64_t peak_memory();
 
+/// Seconds of processor time that all threads of the process have used so far, by the program itself.
+double processor_seconds();
+
 /// Seconds since it was made or since the last lap().
 class Stopwatch {
 public:

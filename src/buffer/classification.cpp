@@ -1,6 +1,7 @@
 #include "cob/classification.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace cob {
 
@@ -18,6 +19,25 @@ const char* to_text(BufferState state) {
     return "";
 }
 
+namespace {
+
+void clear(Classification& result) {
+    result.decided = true;
+    result.neighbours.clear();
+    result.close.clear();
+    result.cover.clear();
+    result.light.clear();
+    result.tested = 0;
+}
+
+/// A cover shuts the element out unless a close light shines under it (paper, figures 4 and 6).
+BufferState state_of(const Classification& result) {
+    if (!result.cover.empty() && result.light.empty()) return BufferState::occluded;
+    return result.close.empty() ? BufferState::empty : BufferState::close;
+}
+
+}  // namespace
+
 void BoxClassifier::from_scene(const Box& box, const CandidateSource& source, Classification& result) {
     candidates_.clear();
     source.polygons_in(box.bounds(), {&candidates_, [](void* context, std::int32_t id) {
@@ -26,36 +46,43 @@ void BoxClassifier::from_scene(const Box& box, const CandidateSource& source, Cl
                                       }});
     // A tree names them in an order of its own.
     std::sort(candidates_.begin(), candidates_.end());
-    among(box, {candidates_.data(), candidates_.data() + candidates_.size()}, result);
+    clear(result);
+    for (const PolygonId polygon : candidates_) test(box, polygon, result);
+    result.state = state_of(result);
 }
 
 void BoxClassifier::among(const Box& box, View<PolygonId> candidates, Classification& result) {
-    result.decided = true;
-    result.neighbours.clear();
-    result.close.clear();
-    result.cover.clear();
-    result.light.clear();
-    result.tested = 0;
+    clear(result);
+    for (const PolygonId polygon : candidates)
+        if (bounds_meet(polygon, box.bounds())) test(box, polygon, result);
+    result.state = state_of(result);
+}
 
-    // Relations, of all but the own polygon: it is never in the buffer.
-    for (const PolygonId polygon : candidates) {
-        if (polygon == box.polygon()) continue;
-        ++result.tested;
-        const BoxAnswer answer = relate(scene_, polygon, box, arithmetic_, &counters_);
-        result.decided = result.decided && answer.decided;
-        if (answer.relation == Relation::disjoint && answer.decided) continue;
-        result.neighbours.push_back({polygon, answer});
-        if (!is_close(answer.relation)) continue;
-        result.close.push_back(polygon);
-        if (answer.covers) result.cover.push_back(polygon);
-        if (scene_.is_light(polygon) && faces(scene_, polygon, box, &counters_)) result.light.push_back(polygon);
+bool BoxClassifier::bounds_meet(PolygonId polygon, const std::array<double, 6>& bounds) const {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = bounds[static_cast<std::size_t>(axis)], high = bounds[static_cast<std::size_t>(axis) + 3];
+        bool all_below = true, all_above = true;
+        for (const VertexId vertex : scene_.loop(polygon)) {
+            const double at = scene_.position(vertex)[axis];
+            all_below = all_below && at < low;
+            all_above = all_above && at > high;
+        }
+        if (all_below || all_above) return false;
     }
+    return true;
+}
 
-    // State: a cover shuts the element out unless a close light shines under it (paper, section 5).
-    if (!result.cover.empty() && result.light.empty())
-        result.state = BufferState::occluded;
-    else
-        result.state = result.close.empty() ? BufferState::empty : BufferState::close;
+void BoxClassifier::test(const Box& box, PolygonId polygon, Classification& result) {
+    if (polygon == box.polygon()) return;  // it is never in its own buffer
+    ++result.tested;
+    const BoxAnswer answer = relate(scene_, polygon, box, arithmetic_, &counters_);
+    result.decided = result.decided && answer.decided;
+    if (answer.relation == Relation::disjoint && answer.decided) return;
+    result.neighbours.push_back({polygon, answer});
+    if (!is_close(answer.relation)) return;
+    result.close.push_back(polygon);
+    if (answer.covers) result.cover.push_back(polygon);
+    if (scene_.is_light(polygon) && faces(scene_, polygon, box, &counters_)) result.light.push_back(polygon);
 }
 
 }  // namespace cob

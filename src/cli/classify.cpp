@@ -72,8 +72,10 @@ struct ClassifyCommand {
 
         // Buffers.
         create_folder(folder);
+        const double before = processor_seconds();
         summary.result = classify_scene(elements, *candidates, folder, options);
         summary.classify_seconds = watch.lap();
+        summary.processor_seconds = processor_seconds() - before;
 
         // Summary.
         summary.parameters = {{"scene", scene.path},

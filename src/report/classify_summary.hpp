@@ -15,6 +15,7 @@ struct ClassifySummary {
     std::uint64_t skipped = 0;                      ///< Of these, refused.
     ClassifySceneResult result;
     double read_seconds = 0, mesh_seconds = 0, tree_seconds = 0, classify_seconds = 0;
+    double processor_seconds = 0;  ///< Of classifying, summed over the threads.
     std::uint64_t tree_bytes = 0;  ///< Of the source of candidates.
     std::uint64_t peak_bytes = 0;  ///< Of the process.
 };

@@ -31,8 +31,11 @@ std::string vector_text(const RationalPoint& v) {
     return "(" + to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z) + ")";
 }
 
+/// " about (0.333333, 0, 1)", and nothing where that says no more.
 std::string rounded_vector(const RationalPoint& v) {
-    return "(" + rounded(to_nearest(v.x)) + ", " + rounded(to_nearest(v.y)) + ", " + rounded(to_nearest(v.z)) + ")";
+    const std::string text =
+        "(" + rounded(to_nearest(v.x)) + ", " + rounded(to_nearest(v.y)) + ", " + rounded(to_nearest(v.z)) + ")";
+    return text == vector_text(v) ? "" : " about " + text;
 }
 
 /// " is below ", " is " or " is above ": a comparison that decides something.
@@ -84,7 +87,7 @@ private:
              (polygon.convex ? "" : "; the polygon is not convex"));
         for (int k = 0; k < question_.corners.count; ++k) {
             const RationalPoint corner = question_.corners.points[static_cast<std::size_t>(k)].rational();
-            line("  corner " + std::to_string(k) + "  " + vector_text(corner) + " about " + rounded_vector(corner));
+            line("  corner " + std::to_string(k) + "  " + vector_text(corner) + rounded_vector(corner));
         }
     }
 
@@ -101,7 +104,7 @@ private:
         for (const auto& [a, b] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
             const RationalPoint corner = coordinates_.base_corner(a, b);
             line("    a = " + std::to_string(a) + ", b = " + std::to_string(b) + ": " + vector_text(corner) +
-                 " about " + rounded_vector(corner));
+                 rounded_vector(corner));
         }
         line("  The box is closed at its sides and top and open at its base: 0 < z <= h.");
     }
