@@ -28,10 +28,10 @@ TEST(Explain, SaysWhatTheFiguresShow) {
     EXPECT_TRUE(says(empty, "State: empty") && says(empty, "an empty buffer: shoot")) << empty.out;
 }
 
-// The deciding values are exact: the sheet of figure 4 is at 1/32, the box of a quarter of the table at most 5/32 high.
+// The deciding values are exact: the sheet of figure 4 is at 1/64, the box of a quarter of the table 5/32 high.
 TEST(Explain, ShowsExactValues) {
     const auto run = explain("figure4.obj 0.0/0");
-    EXPECT_TRUE(says(run, "from (z/h)^2 = 1/25 (about 0.04) to 1/25 (about 0.04)")) << run.out;
+    EXPECT_TRUE(says(run, "from (z/h)^2 = 1/100 (about 0.01) to 1/100 (about 0.01)")) << run.out;
 }
 
 // Every element of a scene with coplanar, touching and non-planar neighbours: the words, made from plain fractions,
