@@ -132,7 +132,9 @@ void nudge(Dice& dice, std::vector<Point>& points, int rarity) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (Point& point : points)
         for (int k = 0; k < 3; ++k)
-            if (dice.one_in(rarity)) point[k] = std::nextafter(point[k], dice.one_in(2) ? infinity : -infinity);
+            // The neighbours of zero are subnormal and make every fraction long: more seldom.
+            if (dice.one_in(point[k] == 0 ? 8 * rarity : rarity))
+                point[k] = std::nextafter(point[k], dice.one_in(2) ? infinity : -infinity);
 }
 
 }  // namespace cob::naive
