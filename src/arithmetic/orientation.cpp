@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 // Every stage evaluates the same determinants:
 //   in space:   |  b-a, c-a, d-a |,   in a plane: | b-a, c-a | in two coordinates.
@@ -148,6 +149,19 @@ Sign orientation_3d(const P& a, const P& b, const P& c, const P& d, Stage* stage
     return orientation(rational(a), rational(b), rational(c), rational(d));
 }
 
+template <int Limbs>
+Sign integer_direction(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& direction,
+                       int point_unit, int direction_unit) {
+    const ExactPoint zero;
+    Vector3<WideInteger<Limbs>> rows[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        rows[0][axis] = integer_difference<Limbs>(b, a, axis, point_unit);
+        rows[1][axis] = integer_difference<Limbs>(c, a, axis, point_unit);
+        rows[2][axis] = integer_difference<Limbs>(direction, zero, axis, direction_unit);
+    }
+    return sign_of(determinant(rows[0], rows[1], rows[2]));
+}
+
 // --------------------------------------------------------------------------------------------- in a plane
 
 template <class P>
@@ -206,6 +220,27 @@ Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, 
 
 Sign orientation(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
     return sign_of(determinant(b - a, c - a, d - a));
+}
+
+Sign orientation_of_direction(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                              const ExactPoint& direction) {
+    if (fits_integers(a) && fits_integers(b) && fits_integers(c) && fits_integers(direction)) {
+        BitSpan points, directions;  // each with one unit for all its coordinates
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const ExactPoint* p : {&a, &b, &c}) add_bits(points, *p, axis);
+            add_bits(directions, direction, axis);
+        }
+        if (points.only_zeros() || directions.only_zeros()) return Sign::zero;
+        const int bits = 2 * (points.bits() + 2) + directions.bits() + 1 + 3 + 1;
+        const auto in = [&](auto limbs) {
+            return integer_direction<limbs>(a, b, c, direction, points.low, directions.low);
+        };
+        if (bits <= 256) return in(std::integral_constant<int, 4>());
+        if (bits <= 512) return in(std::integral_constant<int, 8>());
+        if (bits <= 1024) return in(std::integral_constant<int, 16>());
+    }
+    const RationalPoint pa = rational(a);
+    return sign_of(determinant(rational(b) - pa, rational(c) - pa, rational(direction)));
 }
 
 Sign orientation(const Point2& a, const Point2& b, const Point2& c, Stage* stage) {

@@ -31,6 +31,11 @@ Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, 
                  Stage* stage = nullptr);
 Sign orientation(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d);
 
+/// Sign of det(b - a, c - a, direction): zero where the direction is parallel to the plane of a, b and c. Made for
+/// directions that usually are: goes to integers at once.
+Sign orientation_of_direction(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                              const ExactPoint& direction);
+
 /// The three points lie on one line (or coincide).
 bool collinear(const Point& a, const Point& b, const Point& c);
 

@@ -50,7 +50,7 @@ struct BitSpan {
 };
 
 /// Two's complement integer of Limbs x 64 bits. Operations wrap silently: the caller proves, by counting bits,
-/// that every result (not every intermediate sum) fits; wrapping makes intermediate overflow harmless.
+/// that every result whose sign is asked fits; all else, conversions too, is modulo 2^bits and may wrap.
 template <int Limbs>
 class WideInteger {
 public:
@@ -61,14 +61,14 @@ public:
         limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
         limbs_[0] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
     }
-    /// value / 2^unit, which must be an integer that fits.
+    /// value / 2^unit, which must be an integer.
     WideInteger(double value, int unit) : limbs_{} {
         const BinaryParts parts(value);
         if (parts.magnitude == 0) return;
         place(parts.magnitude, parts.exponent - unit);
         if (parts.negative) negate();
     }
-    /// value * 2^shift, which must fit.
+    /// value * 2^shift, shift >= 0.
     WideInteger(const Integer& value, int shift) : limbs_{} {
         const mpz_srcptr z = value.backend().data();
         const std::size_t size = mpz_size(z);
@@ -138,6 +138,12 @@ public:
     }
     friend bool operator>(const WideInteger& a, const WideInteger& b) { return b < a; }
 
+    // What the templates over number types ask. Of two numbers, only the difference need fit.
+    friend bool is_negative(const WideInteger& a) { return a.limbs_[Limbs - 1] >> 63 != 0; }
+    friend bool is_positive(const WideInteger& a) { return a.sign() == Sign::positive; }
+    friend WideInteger lesser(const WideInteger& a, const WideInteger& b) { return is_negative(b - a) ? b : a; }
+    friend WideInteger greater(const WideInteger& a, const WideInteger& b) { return is_negative(a - b) ? b : a; }
+
     void negate() {
         unsigned char carry = 1;
         for (std::uint64_t& limb : limbs_) {
@@ -149,6 +155,7 @@ public:
 private:
     void place(std::uint64_t magnitude, int shift) {
         const int whole = shift / 64, part = shift % 64;
+        if (whole >= Limbs) return;  // zero modulo 2^bits
         limbs_[whole] = magnitude << part;
         if (part != 0 && whole + 1 < Limbs) limbs_[whole + 1] = magnitude >> (64 - part);
     }

@@ -1,3 +1,4 @@
+#include "arithmetic/orientation.hpp"
 #include "geometry/prepared_box.hpp"
 
 #include <algorithm>
@@ -29,83 +30,76 @@ Vector3<double> normalised_exponent(const Vector3<double>& v) {
     return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
 }
 
-bool has_fraction(const BoxQuestion& question) {
-    bool any = question.u.has_fraction();
-    for (int i = 0; i < question.corners.count; ++i) any = any || question.corners.points[i].has_fraction();
-    return any;
+/// The view along the coordinate axis where n is largest.
+int largest_axis(const Vector3<double>& n) {
+    const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/// The coordinate axis to which v is exactly parallel, or -1.
-int axis_of(const ExactPoint& v) {
-    int found = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (v.nearest()[axis] == 0 && v.rest()[axis] == 0) continue;
-        if (found >= 0) return -1;
-        found = axis;
-    }
-    return found;
-}
-
-/// The coordinate axis along which all corners exactly agree, or -1.
-int flat_axis(const Corners& corners) {
-    for (int axis = 0; axis < 3; ++axis) {
-        bool flat = true;
-        for (int i = 1; i < corners.count; ++i)
-            flat = flat && corners.points[i].nearest()[axis] == corners.points[0].nearest()[axis] &&
-                   corners.points[i].rest()[axis] == corners.points[0].rest()[axis];
-        if (flat) return axis;
-    }
-    return -1;
+/// Proves without fractions what SPEC 4 asks of corners and u; false: not proven, which is rare for boxes that
+/// are not refused. rough_normal need not be right.
+bool proven_valid(const BoxQuestion& question, const Vector3<double>& rough_normal) {
+    const auto& c = question.corners.points;
+    const int count = question.corners.count;
+    if ((count != 3 && count != 4) || question.margin < 0 || question.height <= 0) return false;
+    if (question.u.nearest() == Point{}) return false;
+    if (count == 4 && orientation(c[0], c[1], c[2], c[3]) != Sign::zero) return false;
+    // Convex: seen along some axis, every turn is strict and to one side.
+    const int axis = largest_axis(rough_normal), first = (axis + 1) % 3, second = (axis + 2) % 3;
+    const Sign side = orientation_seen(c[0], c[1], c[2], first, second);
+    if (side == Sign::zero) return false;
+    for (std::size_t i = 1; i < static_cast<std::size_t>(count) && count == 4; ++i)
+        if (orientation_seen(c[i], c[(i + 1) % 4], c[(i + 2) % 4], first, second) != side) return false;
+    return orientation_of_direction(c[0], c[1], c[2], question.u) == Sign::zero;
 }
 
 }  // namespace
 
 Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
-    exact();  // refuses what SPEC 4 refuses
     const Corners& corners = question.corners;
+    if (corners.count != 3 && corners.count != 4) exact();
     const double infinity = DBL_MAX;
     bounds = {-infinity, -infinity, -infinity, infinity, infinity, infinity};
 
-    // 1. Corners relative to the origin, scaled to about 1 where they are far from it.
-    origin = exact().origin;
+    // 1. Corners relative to the origin, which is that of ExactBox, and a normal.
+    const Point& near = corners.points[0].nearest();
+    if (std::isfinite(near.x) && std::isfinite(near.y) && std::isfinite(near.z)) origin = near;
     std::array<Vector3<double>, 4> c;
     double extent = 0;
     for (int i = 0; i < corners.count; ++i) {
         c[i] = relative_to(corners.points[i], origin);
-        const double size_ = largest_component(c[i]);
-        if (!std::isfinite(size_)) return;
-        extent = std::max(extent, size_);
+        extent = std::max(extent, largest_component(c[i]));
     }
-    const double margin = to_nearest(question.margin), height = to_nearest(question.height);
-    if (!(extent > 1e-280 && extent < 1e280 && margin < 1e20 && height < 1e20 && height > 1e-20)) return;
-    if (!(extent > 0x1p-150 && extent < 0x1p150)) {
+    if (!(extent > 0x1p-150 && extent < 0x1p150)) {  // scale to about 1
         int exponent;
         std::frexp(extent, &exponent);
-        scale = std::ldexp(1.0, -exponent);
+        scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+        for (Vector3<double>& corner : c) corner = scale * corner;
     }
-    for (int i = 0; i < corners.count; ++i) c[i] = scale * c[i];
-
-    // 2. Unit directions; E: the error of a coordinate relative to the largest one.
-    const bool fractions = has_fraction(question);
-    const int u_axis = fractions ? -1 : axis_of(question.u), n_axis = fractions ? -1 : flat_axis(corners);
-    axis_aligned = u_axis >= 0 && n_axis >= 0;
     const Vector3<double> across =
         corners.count == 3 ? cross(c[1] - c[0], c[2] - c[0]) : cross(c[2] - c[0], c[3] - c[1]);
+    if (!proven_valid(question, across)) exact();  // throws where SPEC 4 refuses the box
+    aligned = AlignedBox::of(question);
+    // Truncated, not rounded: the bounds below leave room for it.
+    const double margin = mpq_get_d(question.margin.backend().data());
+    const double height = mpq_get_d(question.height.backend().data());
+    if (!(extent > 1e-280 && extent < 1e280 && margin < 1e20 && height < 1e20 && height > 1e-20)) return;
+
+    // 2. Unit directions; E: the error of a coordinate relative to the largest one.
     double coordinate_error;
     Vector3<double> u, n;
-    if (axis_aligned) {
-        u[u_axis] = question.u.nearest()[u_axis] > 0 ? 1 : -1;
-        n[n_axis] = exact().directions[2][n_axis] > 0 ? 1 : -1;
-        bool on_origin = true;
-        for (int i = 0; i < corners.count; ++i) on_origin = on_origin && corners.points[i].rest()[n_axis] == 0;
-        base_exact = on_origin && scale >= 1;  // scaling down could underflow
+    if (aligned) {
+        u[aligned->axis[0]] = aligned->negative[0] ? -1 : 1;
+        n[aligned->axis[2]] = aligned->negative[2] ? -1 : 1;
+        base_exact = aligned->base.rest == 0 && scale >= 1;  // scaling down could underflow
         coordinate_error = 4 * unit_roundoff;
     } else {
         const Vector3<double> u_exponent = normalised_exponent(question.u.nearest());
         u = (1 / norm(u_exponent)) * u_exponent;
         const double across_norm = norm(across);
-        // Edges of length up to 2 sqrt(3), each wrong by 6 u of itself: the cross product by less than 16 u 12.
-        const double direction_error = 200 * unit_roundoff / across_norm + 8 * unit_roundoff;
+        // Edges of length up to 2 sqrt(3) e, each wrong by 6 u of itself: the cross product by less than 16 u 12 e^2.
+        const double edge = extent * scale;
+        const double direction_error = 200 * unit_roundoff * edge * edge / across_norm + 8 * unit_roundoff;
         if (!(direction_error < 1e-6)) return;
         n = (1 / across_norm) * across;
         // p - o, the products and their sums: 6 u |p - o|; |p - o| is at most sqrt(3) M (1 + small).

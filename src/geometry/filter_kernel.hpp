@@ -25,29 +25,23 @@ public:
     using Number = double;
 
     /// largest: M; error: E; fan: triangles in the piece's fan.
-    FilterKernel(double largest, double error, int fan, bool base_exact, std::uint8_t flat_axes)
+    FilterKernel(double largest, double error, int fan, bool base_exact)
         : face_bound_((2 * error + 3 * unit) * largest),
           base_bound_(base_exact ? 0 : face_bound_),
           edge_bound_((26 * error + 42 * unit) * largest * largest),
           turn_bound_(edge_bound_ * fan),
-          plane_bound_((260 * error + 640 * unit) * largest * largest * largest * fan),
-          flat_axes_(flat_axes) {}
+          plane_bound_((260 * error + 640 * unit) * largest * largest * largest * fan) {}
 
     UncertainSign face(double gap, int) const { return filtered_sign(gap, face_bound_); }
     UncertainSign base(double gap) const { return filtered_sign(gap, base_bound_); }
     UncertainSign top(double gap) const { return filtered_sign(gap, face_bound_); }
     UncertainSign edge(double gap, const Vector3<double>&, bool) const { return filtered_sign(gap, edge_bound_); }
     UncertainSign plane(double gap, const Vector3<double>&, bool) const { return filtered_sign(gap, plane_bound_); }
-    UncertainSign turn(double value, int k) const {
-        const UncertainSign sign = filtered_sign(value, turn_bound_);
-        if (sign == UncertainSign::undecided && (flat_axes_ & ~(1u << k)) != 0) return UncertainSign::zero;
-        return sign;
-    }
+    UncertainSign turn(double value, int) const { return filtered_sign(value, turn_bound_); }
 
 private:
     static constexpr double unit = 0x1p-53;
     double face_bound_, base_bound_, edge_bound_, turn_bound_, plane_bound_;
-    unsigned flat_axes_;  ///< Bit k: the piece is exactly perpendicular to frame axis k.
 };
 
 }  // namespace cob

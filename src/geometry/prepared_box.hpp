@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cob/geometry.hpp"
+#include "geometry/aligned_box.hpp"
 #include "geometry/exact_box.hpp"
 #include "geometry/frame.hpp"
 
@@ -17,9 +18,9 @@ struct Box::Prepared {
 
     // The frame in binary64: unit directions times a power of two that brings the box's size between 2^-150 and
     // 2^150, so that nothing under- or overflows in its neighbourhood.
-    bool usable = false;        ///< False: the box is too large, small or far out; everything goes to the exact stages.
-    bool axis_aligned = false;  ///< Directions are coordinate axes (times the scale), exactly.
-    bool base_exact = false;    ///< The element's plane is z = 0 exactly.
+    bool usable = false;  ///< False: the box is too large, small or far out; everything goes to the exact stages.
+    std::optional<AlignedBox> aligned;  ///< The frame is parallel to the coordinate axes, exactly.
+    bool base_exact = false;            ///< The element's plane is z = 0 exactly.
     Point origin;
     std::array<Vector3<double>, 3> directions;
     double scale = 1;

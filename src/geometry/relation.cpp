@@ -2,6 +2,7 @@
 #include "geometry/covers.hpp"
 #include "geometry/exact_kernel.hpp"
 #include "geometry/filter_kernel.hpp"
+#include "geometry/integer_stage.hpp"
 #include "geometry/prepared_box.hpp"
 #include "geometry/separating_axes.hpp"
 #include "geometry/study.hpp"
@@ -26,88 +27,117 @@ bool to_frame(const Scene& scene, const View<VertexId>& vertices, const Box::Pre
     return sum < 1e90;
 }
 
-FilterKernel make_filter(const Box::Prepared& box, const FramePiece<double>& piece, std::uint8_t flat_axes) {
+FilterKernel make_filter(const Box::Prepared& box, const FramePiece<double>& piece) {
     double largest = box.size;
     for (int k = 0; k < 3; ++k) largest = std::max({largest, -piece.low[k], piece.high[k]});
-    return {largest, box.error, std::max(1, piece.count - 2), box.base_exact, flat_axes};
+    return {largest, box.error, std::max(1, piece.count - 2), box.base_exact};
 }
 
 /// One piece against one box: the stages share what they have found.
 class PieceQuery {
 public:
     PieceQuery(const Scene& scene, const Piece& piece, const Box::Prepared& box)
-        : scene_(scene), vertices_(scene.corners(piece)), box_(box) {}
+        : scene_(scene),
+          vertices_(scene.corners(piece)),
+          box_(box),
+          in_range_(to_frame(scene, vertices_, box, frame_)) {}
 
     Relation relation(PredicateCounters& counters) {
-        Findings findings = filter();
-        if (findings.decided()) {
-            ++counters.filtered;
-        } else {
-            ++counters.rational;
-            findings = in_fractions(findings);
+        Findings findings;
+        findings.undecided = everything();
+
+        // 1. The filter.
+        if (in_range_) {
+            const FramePiece<double> piece = frame_piece();
+            findings.undecided = {};
+            separate(make_filter(box_, piece), box_.frame, piece, AllAxes{}, findings);
+            if (findings.decided()) {
+                ++counters.filtered;
+                return relation_of(findings);
+            }
+            // Walls: a piece perpendicular to an axis of the frame has no area along the others.
+            drop_empty_groups(findings.undecided);
+            if (findings.decided()) {
+                ++counters.filtered;
+                return relation_of(findings);
+            }
+
+            // 2. Integers.
+            const Points points = vertex_points();
+            if (separate_in_integers({box_, view(points), piece}, findings.undecided, findings) && findings.decided()) {
+                ++counters.integer;
+                return relation_of(findings);
+            }
         }
+
+        // 3. Fractions.
+        ++counters.rational;
+        const AxisSet open = findings.undecided;
+        findings.undecided = {};
+        const Rational rise_squared = box_.exact().rise_squared();
+        const FrameCorners<Rational> corners = exact_corners();
+        separate(RationalKernel(rise_squared), box_.exact().frame, frame_piece(corners), open, findings);
         return relation_of(findings);
     }
 
-    bool covers(PredicateCounters& counters) {
+    bool covers(PredicateCounters& counters) const {
         UncertainBool answer = UncertainBool::undecided;
-        if (kernel_) answer = meets_all_box_edges(*kernel_, box_.frame, piece());
-        if (answer != UncertainBool::undecided) {
-            ++counters.filtered;
-            return answer == UncertainBool::yes;
+        if (in_range_) {
+            const FramePiece<double> piece = frame_piece();
+            answer = meets_all_box_edges(make_filter(box_, piece), box_.frame, piece);
+            if (answer != UncertainBool::undecided) {
+                ++counters.filtered;
+                return answer == UncertainBool::yes;
+            }
+            const Points points = vertex_points();
+            answer = covers_in_integers({box_, view(points), piece});
+            if (answer != UncertainBool::undecided) {
+                ++counters.integer;
+                return answer == UncertainBool::yes;
+            }
         }
         ++counters.rational;
         const Rational rise_squared = box_.exact().rise_squared();
-        const auto corners = exact_corners();
-        return meets_all_box_edges(RationalKernel(rise_squared), box_.exact().frame,
-                                   FramePiece<Rational>(corners.data(), static_cast<int>(corners.size()))) ==
+        const FrameCorners<Rational> corners = exact_corners();
+        return meets_all_box_edges(RationalKernel(rise_squared), box_.exact().frame, frame_piece(corners)) ==
                UncertainBool::yes;
     }
 
 private:
-    Findings filter() {
-        Findings findings;
-        findings.undecided = everything();
-        if (!to_frame(scene_, vertices_, box_, corners_)) return findings;
-        const FramePiece<double> corners = piece();
-        kernel_ = make_filter(box_, corners, flat_axes());
-        findings.undecided = {};
-        separate(*kernel_, box_.frame, corners, AllAxes{}, findings);
-        return findings;
+    using Points = boost::container::small_vector<Point, 8>;
+
+    FramePiece<double> frame_piece() const { return {frame_.data(), static_cast<int>(frame_.size())}; }
+    static FramePiece<Rational> frame_piece(const FrameCorners<Rational>& corners) {
+        return {corners.data(), static_cast<int>(corners.size())};
     }
 
-    Findings in_fractions(Findings findings) const {
-        const AxisSet open = findings.undecided;
-        findings.undecided = {};
-        const Rational rise_squared = box_.exact().rise_squared();
-        const auto corners = exact_corners();
-        separate(RationalKernel(rise_squared), box_.exact().frame,
-                 FramePiece<Rational>(corners.data(), static_cast<int>(corners.size())), open, findings);
-        return findings;
+    Points vertex_points() const {
+        Points points;
+        for (const VertexId vertex : vertices_) points.push_back(scene_.position(vertex));
+        return points;
     }
+    static View<Point> view(const Points& points) { return {points.data(), points.data() + points.size()}; }
 
-    FramePiece<double> piece() const { return {corners_.data(), static_cast<int>(corners_.size())}; }
-
-    std::vector<Vector3<Rational>> exact_corners() const {
-        std::vector<Vector3<Rational>> corners;
+    FrameCorners<Rational> exact_corners() const {
+        FrameCorners<Rational> corners;
         for (const VertexId vertex : vertices_)
             corners.push_back(box_.exact().to_frame(to_rational(scene_.position(vertex))));
         return corners;
     }
 
-    /// Axes of the frame to which the piece is exactly perpendicular.
-    std::uint8_t flat_axes() const {
-        unsigned flat = 0;
-        if (box_.axis_aligned)
-            for (int axis = 0; axis < 3; ++axis) {
-                const double first = scene_.position(vertices_[0])[axis];
-                if (!std::all_of(vertices_.begin(), vertices_.end(),
-                                 [&](VertexId vertex) { return scene_.position(vertex)[axis] == first; }))
-                    continue;
-                for (int k = 0; k < 3; ++k)
-                    if (box_.directions[static_cast<std::size_t>(k)][axis] != 0) flat |= 1u << k;
-            }
-        return static_cast<std::uint8_t>(flat);
+    /// Where all corners agree exactly in a coordinate to which the frame is parallel, N is along that axis.
+    void drop_empty_groups(AxisSet& open) const {
+        if (!box_.aligned || open.groups == 0) return;
+        for (int k = 0; k < 3; ++k) {
+            const int axis = box_.aligned->axis[static_cast<std::size_t>(k)];
+            const double first = scene_.position(vertices_[0])[axis];
+            bool flat = true;
+            for (const VertexId vertex : vertices_) flat = flat && scene_.position(vertex)[axis] == first;
+            if (!flat) continue;
+            open.groups = static_cast<std::uint8_t>(open.groups & 1u << k);
+            // Along N the gaps are those of the box's faces, which are looked at anyway.
+            open.normals = 0;
+        }
     }
 
     static AxisSet everything() {
@@ -121,15 +151,15 @@ private:
     const Scene& scene_;
     View<VertexId> vertices_;
     const Box::Prepared& box_;
-    std::optional<FilterKernel> kernel_;
-    FilterCorners corners_;
+    FilterCorners frame_;
+    bool in_range_;
 };
 
 /// Cover by several pieces: quickly refused where the polygon's extents leave some of the rectangle free.
 bool many_cover(const Scene& scene, PolygonId polygon, const Box::Prepared& box, PredicateCounters& counters) {
     if (FilterCorners corners; to_frame(scene, scene.loop(polygon), box, corners)) {
         const FramePiece<double> extents(corners.data(), static_cast<int>(corners.size()));
-        const FilterKernel kernel = make_filter(box, extents, 0);
+        const FilterKernel kernel = make_filter(box, extents);
         for (int k = 0; k < 2; ++k)
             if (kernel.face(extents.low[k] - box.frame.low[k], k) == UncertainSign::positive ||
                 kernel.face(box.frame.high[k] - extents.high[k], k) == UncertainSign::positive) {
@@ -148,14 +178,23 @@ bool many_cover(const Scene& scene, PolygonId polygon, const Box::Prepared& box,
     return pieces_cover(RationalKernel(rise_squared), box.exact().frame, pieces);
 }
 
-/// All pieces of the polygon lie exactly in the element's plane. Its loop may leave it, where SPEC 2 drops a spike.
-bool in_base_plane(const Scene& scene, PolygonId polygon, const Box::Prepared& box) {
-    for (const Piece& piece : scene.pieces_of(polygon)) {
-        for (const VertexId vertex : scene.corners(piece)) {
-            const Vector3<Rational> q = box.exact().to_frame(to_rational(scene.position(vertex)));
-            if (q.z != box.exact().frame.low.z) return false;
-        }
+bool in_base_plane(const Point& p, const Box::Prepared& box) {
+    const auto& c = box.question.corners.points;
+    if (!box.aligned) {
+        // Of a quadrilateral's halves one may be straight and tell nothing, but not both.
+        const ExactPoint point(p);
+        return orientation(c[0], c[1], c[2], point) == Sign::zero &&
+               (box.question.corners.count == 3 || orientation(c[0], c[2], c[3], point) == Sign::zero);
     }
+    const int axis = box.aligned->axis[2];
+    return c[0].rest()[axis] == 0 && c[0].nearest()[axis] == p[axis];
+}
+
+/// All of the polygon, that is all of its pieces (a loop may have spikes besides), lies in the element's plane.
+bool in_base_plane(const Scene& scene, PolygonId polygon, const Box::Prepared& box) {
+    for (const Piece& piece : scene.pieces_of(polygon))
+        for (const VertexId vertex : scene.corners(piece))
+            if (!in_base_plane(scene.position(vertex), box)) return false;
     return true;
 }
 

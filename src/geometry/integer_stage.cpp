@@ -1,0 +1,204 @@
+#include "geometry/integer_stage.hpp"
+
+#include "arithmetic/wide_integer.hpp"
+
+#include <boost/container/small_vector.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace cob {
+namespace {
+
+/// Signs of integers; an irrational height is between two of them.
+template <int Limbs>
+class IntegerKernel {
+public:
+    using Number = WideInteger<Limbs>;
+
+    IntegerKernel() = default;
+    /// The top is at high.z + h with rise < h < rise + step.
+    IntegerKernel(const Number& rise, const Number& step) : rise_(rise), step_(step), irrational_(true) {}
+
+    UncertainSign face(const Number& gap, int) const { return uncertain(gap.sign()); }
+    UncertainSign base(const Number& gap) const { return uncertain(gap.sign()); }
+    UncertainSign top(const Number& gap) const {
+        return irrational_ ? between(gap - rise_ - step_, gap - rise_) : uncertain(gap.sign());
+    }
+    UncertainSign edge(const Number& gap, const Vector3<Number>& d, bool at_top) const {
+        if (!irrational_ || !at_top) return uncertain(gap.sign());
+        const Number least_height = gap + d.z * rise_;  // d.z < 0
+        return between(least_height + d.z * step_, least_height);
+    }
+    UncertainSign plane(const Number& gap, const Vector3<Number>& d, bool at_top) const { return edge(gap, d, at_top); }
+    UncertainSign turn(const Number& value, int) const { return uncertain(value.sign()); }
+
+private:
+    /// Sign of a number strictly between two others.
+    static UncertainSign between(const Number& low, const Number& high) {
+        if (!is_negative(low)) return UncertainSign::positive;
+        return is_positive(high) ? UncertainSign::undecided : UncertainSign::negative;
+    }
+
+    Number rise_, step_;
+    bool irrational_ = false;
+};
+
+/// Everything of a query in units of 2^unit.
+template <int Limbs>
+struct Integers {
+    using Number = WideInteger<Limbs>;
+    FrameBox<Number> box;
+    IntegerKernel<Limbs> kernel;
+    boost::container::small_vector<Vector3<Number>, 8> corners;
+
+    FramePiece<Number> piece() const { return {corners.data(), static_cast<int>(corners.size())}; }
+
+    Integers(const AlignedBox& aligned, const View<Point>& points, int unit) {
+        const auto convert = [](const AlignedBox::Pair& pair, int unit_) {
+            return Number(pair.nearest, unit_) + Number(pair.rest, unit_);
+        };
+        // Widened by margin x extent; margin = m / 2^margin_bits, so the extent is taken in coarser units.
+        const Number m(aligned.margin, -aligned.margin_bits);
+        const int coarse = unit + aligned.margin_bits, coarser = coarse + aligned.height_bits;
+        for (int k = 0; k < 2; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            const Number widening = m * (convert(aligned.high[i], coarse) - convert(aligned.low[i], coarse));
+            box.low[k] = convert(aligned.low[i], unit) - widening;
+            box.high[k] = convert(aligned.high[i], unit) + widening;
+        }
+        // h = height (1 + 2 margin) x the shorter extent.
+        const Number shorter = lesser(convert(aligned.high[0], coarser) - convert(aligned.low[0], coarser),
+                                      convert(aligned.high[1], coarser) - convert(aligned.low[1], coarser));
+        const Number widened = Number(1.0, -aligned.margin_bits) + m + m;
+        box.low.z = convert(aligned.base, unit);
+        box.high.z = box.low.z + Number(aligned.height, -aligned.height_bits) * (widened * shorter);
+
+        for (const Point& p : points) {
+            corners.emplace_back();
+            for (int k = 0; k < 3; ++k) {
+                const auto i = static_cast<std::size_t>(k);
+                const double coordinate = p[aligned.axis[i]];
+                corners.back()[k] = Number(aligned.negative[i] ? -coordinate : coordinate, unit);
+            }
+        }
+    }
+
+    Integers(const IntegerBox& integer, const Point& origin, const View<Point>& points, int unit) {
+        std::array<Vector3<Number>, 3> directions;
+        for (int k = 0; k < 3; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            for (int axis = 0; axis < 3; ++axis) directions[i][axis] = Number(integer.directions[i][axis], 0);
+            box.low[k] = Number(integer.low[k], integer.exponent[k] - unit);
+            box.high[k] = Number(integer.high[k], integer.exponent[k] - unit);
+        }
+        if (integer.rise != 0)
+            kernel = IntegerKernel<Limbs>(Number(integer.rise, integer.rise_exponent - unit),
+                                          Number(Integer(1), integer.rise_exponent - unit));
+        for (const Point& p : points) {
+            Vector3<Number> relative;
+            for (int axis = 0; axis < 3; ++axis) relative[axis] = Number(p[axis], unit) - Number(origin[axis], unit);
+            corners.push_back(
+                {dot(directions[0], relative), dot(directions[1], relative), dot(directions[2], relative)});
+        }
+    }
+};
+
+/// Units of a query, and the bits of each frame coordinate in them.
+struct Size {
+    int unit = 0;
+    std::array<int, 3> bits{};  ///< Absolute frame coordinates are less than 2^bits.
+};
+
+/// |value| < 2^result; value >= 0 and finite.
+int exponent_above(double value) {
+    int exponent;
+    std::frexp(value, &exponent);
+    return exponent;
+}
+
+Size size_of(const IntegerQuery& query) {
+    const Box::Prepared& box = query.box;
+    BitSpan span;
+    for (const Point& p : query.corners)
+        for (int axis = 0; axis < 3; ++axis) span.add(p[axis]);
+    std::array<double, 3> reach{};
+    double largest = box.size;
+    for (int k = 0; k < 3; ++k) {
+        reach[static_cast<std::size_t>(k)] =
+            std::max({-query.rounded.low[k], query.rounded.high[k], -box.frame.low[k], box.frame.high[k]});
+        largest = std::max(largest, reach[static_cast<std::size_t>(k)]);
+    }
+    const int scale_exponent = exponent_above(box.scale) - 1;
+
+    Size size;
+    if (box.aligned) {
+        size.unit = std::min(box.aligned->unit, span.low);
+        for (std::size_t k = 0; k < 3; ++k)
+            size.bits[k] = std::max(1, exponent_above(reach[k] + box.error * largest) - scale_exponent - size.unit);
+        return size;
+    }
+    const IntegerBox& integer = box.integers();
+    size.unit = std::min(integer.unit, span.low);
+    for (int axis = 0; axis < 3; ++axis) {
+        const BinaryParts origin(box.origin[axis]);
+        if (origin.magnitude != 0) size.unit = std::min(size.unit, origin.exponent);
+    }
+    // |p - o| <= sqrt(3) largest; three products.
+    const int relative = exponent_above(1.8 * largest) - scale_exponent;
+    for (std::size_t k = 0; k < 3; ++k)
+        size.bits[k] =
+            std::max(1, std::max(integer.direction_bits[k] + relative + 2, integer.limit_exponent[k]) - size.unit);
+    return size;
+}
+
+enum class Degree { faces, sides, plane };
+
+/// Bits, with the sign, of the largest result: differences have one more than coordinates; a side's gap is the sum
+/// of two products of differences and perhaps the height's; N, a fan of sums of two products, times a difference.
+int bits_needed(const Size& size, Degree degree, int corner_count) {
+    const auto [a, b, z] = size.bits;
+    if (degree == Degree::faces) return std::max({a, b, z}) + 4;
+    const int fan = exponent_above(static_cast<double>(corner_count));
+    if (degree == Degree::plane) return a + b + z + 9 + fan;
+    return std::max({a + b, a + z, b + z}) + 6 + fan;
+}
+
+/// Calls evaluate(Integers<Limbs>) with as few limbs as the bits need; false: too many.
+template <class Evaluate>
+bool in_integers(const IntegerQuery& query, Degree degree, const Evaluate& evaluate) {
+    const Size size = size_of(query);
+    const int bits = bits_needed(size, degree, static_cast<int>(query.corners.size()));
+    const auto with = [&](auto limbs) {
+        if (query.box.aligned)
+            evaluate(Integers<limbs>(*query.box.aligned, query.corners, size.unit));
+        else
+            evaluate(Integers<limbs>(query.box.integers(), query.box.origin, query.corners, size.unit));
+        return true;
+    };
+    if (bits <= 128) return with(std::integral_constant<int, 2>());
+    if (bits <= 256) return with(std::integral_constant<int, 4>());
+    if (bits <= 512) return with(std::integral_constant<int, 8>());
+    if (bits <= 1024) return with(std::integral_constant<int, 16>());
+    return false;
+}
+
+}  // namespace
+
+bool separate_in_integers(const IntegerQuery& query, AxisSet open, Findings& findings) {
+    const Degree degree = open.only_faces() ? Degree::faces : open.normals == 0 ? Degree::sides : Degree::plane;
+    return in_integers(query, degree, [&](const auto& integers) {
+        findings.undecided = {};
+        separate(integers.kernel, integers.box, integers.piece(), open, findings);
+    });
+}
+
+UncertainBool covers_in_integers(const IntegerQuery& query) {
+    UncertainBool answer = UncertainBool::undecided;
+    in_integers(query, Degree::plane, [&](const auto& integers) {
+        answer = meets_all_box_edges(integers.kernel, integers.box, integers.piece());
+    });
+    return answer;
+}
+
+}  // namespace cob
