@@ -51,8 +51,8 @@ public:
     friend Interval greater(const Interval& a, const Interval& b) {
         return {std::max(a.low_, b.low_), std::max(a.high_, b.high_)};
     }
-    friend bool is_positive(const Interval& a) { return a.low_ > 0; }
-    friend bool is_negative(const Interval& a) { return a.high_ < 0; }
+    friend bool greater_than_zero(const Interval& a) { return a.low_ > 0; }
+    friend bool less_than_zero(const Interval& a) { return a.high_ < 0; }
     /// See frame.hpp: where it is not known which end comes first along d, whatever lies between them.
     friend Interval first_along(const Interval& d, const Interval& low, const Interval& high) {
         return d.low_ > 0 ? low : d.high_ < 0 ? high : Interval(low.low_, high.high_);

@@ -139,10 +139,10 @@ public:
     friend bool operator>(const WideInteger& a, const WideInteger& b) { return b < a; }
 
     // What the templates over number types ask. Of two numbers, only the difference need fit.
-    friend bool is_negative(const WideInteger& a) { return a.limbs_[Limbs - 1] >> 63 != 0; }
-    friend bool is_positive(const WideInteger& a) { return a.sign() == Sign::positive; }
-    friend WideInteger lesser(const WideInteger& a, const WideInteger& b) { return is_negative(b - a) ? b : a; }
-    friend WideInteger greater(const WideInteger& a, const WideInteger& b) { return is_negative(a - b) ? b : a; }
+    friend bool less_than_zero(const WideInteger& a) { return a.limbs_[Limbs - 1] >> 63 != 0; }
+    friend bool greater_than_zero(const WideInteger& a) { return a.sign() == Sign::positive; }
+    friend WideInteger lesser(const WideInteger& a, const WideInteger& b) { return less_than_zero(b - a) ? b : a; }
+    friend WideInteger greater(const WideInteger& a, const WideInteger& b) { return less_than_zero(a - b) ? b : a; }
 
     void negate() {
         unsigned char carry = 1;

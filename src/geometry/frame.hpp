@@ -20,17 +20,17 @@ Number greater(const Number& a, const Number& b) {
     return a < b ? b : a;
 }
 template <class Number>
-bool is_positive(const Number& a) {
+bool greater_than_zero(const Number& a) {
     return a > 0;
 }
 template <class Number>
-bool is_negative(const Number& a) {
+bool less_than_zero(const Number& a) {
     return a < 0;
 }
 /// The end of [low, high] where d x is least.
 template <class Number>
 const Number& first_along(const Number& d, const Number& low, const Number& high) {
-    return is_positive(d) ? low : high;
+    return greater_than_zero(d) ? low : high;
 }
 
 /// The box [low, high] of the frame's coordinates a, b, z; low.z is the element's plane. Where the height is

@@ -36,8 +36,8 @@ public:
 private:
     /// Sign of a number strictly between two others.
     static UncertainSign between(const Number& low, const Number& high) {
-        if (!is_negative(low)) return UncertainSign::positive;
-        return is_positive(high) ? UncertainSign::undecided : UncertainSign::negative;
+        if (!less_than_zero(low)) return UncertainSign::positive;
+        return greater_than_zero(high) ? UncertainSign::undecided : UncertainSign::negative;
     }
 
     Number rise_, step_;

@@ -104,7 +104,7 @@ void separate(const Kernel& kernel, const FrameBox<typename Kernel::Number>& box
     for (int way = 0; way < 2; ++way) {
         if (!wanted.normal(way)) continue;
         const Vector3<Number> d = way == 0 ? normal : -normal;
-        const bool top = is_negative(d.z), foot = is_positive(d.z);
+        const bool top = less_than_zero(d.z), foot = greater_than_zero(d.z);
         const Number gap = d.x * (first_along(d.x, box.low.x, box.high.x) - piece.corner(0).x) +
                            d.y * (first_along(d.y, box.low.y, box.high.y) - piece.corner(0).y) +
                            d.z * (first_along(d.z, box.low.z, box.high.z) - piece.corner(0).z);
@@ -129,7 +129,7 @@ void separate(const Kernel& kernel, const FrameBox<typename Kernel::Number>& box
             Vector3<Number> d;  // out of the outline, which runs counter-clockwise where N.k > 0
             d[i] = left ? r[j] - q[j] : q[j] - r[j];
             d[j] = left ? q[i] - r[i] : r[i] - q[i];
-            const bool top = is_negative(d.z), foot = is_positive(d.z);
+            const bool top = less_than_zero(d.z), foot = greater_than_zero(d.z);
             const Number gap = d[i] * (first_along(d[i], box.low[i], box.high[i]) - q[i]) +
                                d[j] * (first_along(d[j], box.low[j], box.high[j]) - q[j]);
             if (note(kernel.edge(gap, d, top), foot, [&] { findings.undecided.add_side(k, side); })) return;
