@@ -129,6 +129,9 @@ double to_nearest(const Rational& value) {
 }
 
 std::optional<double> to_binary64(const Rational& value) {
+    // GMP truncates, which changes nothing where the value is a binary64 number: the usual case, and a cheap one.
+    const double truncated = value.convert_to<double>();
+    if (std::isfinite(truncated) && Rational(truncated) == value) return truncated;
     const double number = to_nearest(value);
     if (std::isfinite(number) && Rational(number) == value) return number;
     return std::nullopt;

@@ -77,13 +77,16 @@ ExactNumber from_rational(const Rational& value) {
 }
 
 void append_wide(std::string& text, uint128 value) {
-    char digits[40];
-    char* begin = digits + sizeof digits;
-    do {
-        *--begin = static_cast<char>('0' + static_cast<int>(value % 10));
-        value /= 10;
-    } while (value != 0);
-    text.append(begin, digits + sizeof digits);
+    constexpr std::uint64_t chunk = 10'000'000'000'000'000'000u;  // 10^19: digits of 64 bits at a time
+    char digits[24];
+    if (value < chunk) {
+        text.append(digits, std::to_chars(digits, digits + sizeof digits, static_cast<std::uint64_t>(value)).ptr);
+        return;
+    }
+    append_wide(text, value / chunk);
+    const char* end = std::to_chars(digits, digits + sizeof digits, static_cast<std::uint64_t>(value % chunk)).ptr;
+    text.append(static_cast<std::size_t>(19 - (end - digits)), '0');
+    text.append(static_cast<const char*>(digits), end);
 }
 
 /// value = mantissa 2^exponent with an odd mantissa. value is not 0.
