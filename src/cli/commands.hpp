@@ -13,6 +13,7 @@ void add_classify(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_info(CLI::App& app);
 void add_occlude(CLI::App& app);
+void add_render(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace cob::cli

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     app.option_defaults()->always_capture_default();
     cob::cli::add_info(app);
     cob::cli::add_occlude(app);
+    cob::cli::add_render(app);
     cob::cli::add_verify(app);
     cob::cli::add_classify(app);
     cob::cli::add_explain(app);

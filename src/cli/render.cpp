@@ -1,0 +1,276 @@
+/// cob render: progressive refinement radiosity and its pictures (SPEC 8).
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "cob/error.hpp"
+#include "cob/files.hpp"
+#include "cob/solver.hpp"
+#include "report/picture.hpp"
+#include "report/solution_files.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace cob::cli {
+
+namespace {
+
+const std::map<std::string, Refinement> refinements{{"none", Refinement::none},
+                                                    {"gradient", Refinement::gradient},
+                                                    {"buffer", Refinement::buffer},
+                                                    {"both", Refinement::both}};
+const std::map<std::string, Strength> strengths{
+    {"exitance", Strength::exitance}, {"flux", Strength::flux}, {"paper", Strength::paper}};
+const std::map<std::string, BufferLevels> levels{
+    {"element", BufferLevels::element}, {"polygon", BufferLevels::polygon}, {"tree", BufferLevels::tree}};
+const std::map<std::string, BufferMode> modes{{"strict", BufferMode::strict}, {"inherit", BufferMode::inherit}};
+
+struct Arguments {
+    std::string scene, folder, checkpoint, view;
+    std::string refine = "both", strength = "exitance", buffer_levels = "tree", mode = "strict";
+    std::string emission = "exitance", margin = "0.125", height = "0.25";
+    bool skip_invalid = false;
+    std::vector<double> gradient_threshold{0.25};
+    std::vector<double> position, target, up;
+    double fov = 0;
+    std::int64_t elements = 0;
+    double checkpoint_seconds = 30;
+    RadiosityOptions options;
+    report::PictureOptions picture;
+};
+
+/// The name of a value, for options given by name.
+template <class T>
+T choice(const std::map<std::string, T>& names, const std::string& name) {
+    return names.at(name);
+}
+
+Rational exact_number(const char* option, const std::string& text, bool positive) {
+    const std::optional<Rational> value = parse_exact(text);
+    if (!value || *value < 0 || (positive && *value == 0))
+        throw InputError(std::string("not a usable number for ") + option,
+                         {"", 0, text, positive ? "give a number above 0" : "give a number of at least 0"});
+    return *value;
+}
+
+RadiosityOptions solver_options(const Arguments& arguments) {
+    RadiosityOptions options = arguments.options;
+    options.refinement = choice(refinements, arguments.refine);
+    options.buffer.strength = choice(strengths, arguments.strength);
+    options.buffer.levels = choice(levels, arguments.buffer_levels);
+    options.buffer.mode = choice(modes, arguments.mode);
+    options.buffer.margin = exact_number("--margin", arguments.margin, false);
+    options.buffer.height = exact_number("--height", arguments.height, true);
+    if (arguments.elements > 0) options.stop.elements = arguments.elements;
+    const std::vector<double>& threshold = arguments.gradient_threshold;
+    if (threshold.size() != 1 && threshold.size() != 3)
+        throw InputError("--gradient-threshold takes one number, or one for each channel",
+                         {"", 0, std::to_string(threshold.size()) + " numbers", "give 1 or 3"});
+    for (std::size_t c = 0; c < 3; ++c) options.gradient.threshold[c] = threshold[threshold.size() == 1 ? 0 : c];
+    return options;
+}
+
+Point point_of(const std::vector<double>& numbers) {
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+report::Camera camera_of(const Arguments& arguments, const Scene& scene) {
+    const std::optional<std::string> beside = report::view_beside(arguments.scene);
+    report::Camera camera = !arguments.view.empty() ? report::read_view(arguments.view)
+                            : beside                ? report::read_view(*beside)
+                                                    : report::default_camera(scene);
+    if (!arguments.position.empty()) camera.position = point_of(arguments.position);
+    if (!arguments.target.empty()) camera.target = point_of(arguments.target);
+    if (!arguments.up.empty()) camera.up = point_of(arguments.up);
+    if (arguments.fov > 0) camera.fov = arguments.fov;
+    return camera;
+}
+
+/// What ended the run, as far as the stops tell.
+std::string ended_by(const RadiositySolver& solver) {
+    const RadiosityOptions::Stop& stop = solver.options().stop;
+    if (solver.counters().shots >= stop.shots) return "number of shots";
+    if (static_cast<std::int64_t>(solver.element_count()) >= stop.elements) return "number of elements";
+    return "unshot flux";
+}
+
+void write_all(const RadiositySolver& solver, const Arguments& arguments, const report::Camera& camera,
+               report::RunFigures figures, std::chrono::steady_clock::time_point begin) {
+    const auto seconds_since = [](std::chrono::steady_clock::time_point t) {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
+    };
+    const auto picture_begin = std::chrono::steady_clock::now();
+    report::PictureOptions picture = arguments.picture;
+    picture.threads = arguments.options.threads;
+    const report::Pictures pictures = report::render_pictures(solver, camera, picture);
+    figures.picture_seconds = seconds_since(picture_begin);
+    figures.exposure = pictures.exposure;
+    figures.seconds = seconds_since(begin);
+
+    const std::string base = arguments.folder + "/";
+    write_file(base + "picture.png", report::encode_png(pictures.plain));
+    write_file(base + "mesh.png", report::encode_png(pictures.mesh));
+    write_file(base + "states.png", report::encode_png(pictures.states));
+    write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
+    write_file(base + "mesh.vtp", report::solution_vtp(solver));
+    write_file(base + "exitance.csv", report::solution_csv(solver));
+    write_file(base + "summary.json", report::summary_json(solver, figures));
+    const std::string text = report::summary_text(solver, figures);
+    write_file(base + "summary.txt", text);
+    std::fputs(text.c_str(), stdout);
+}
+
+void run(const Arguments& arguments) {
+    const auto begin = std::chrono::steady_clock::now();
+    ReadReport report;
+    const Scene scene =
+        read_obj(arguments.scene, ReadOptions{arguments.skip_invalid, arguments.emission == "radiance"}, &report);
+    for (const std::string& warning : report.warnings) std::fprintf(stderr, "cob: %s\n", warning.c_str());
+    const report::Camera camera = camera_of(arguments, scene);
+    report::Frame(camera, arguments.picture.width, arguments.picture.height);  // refuses before the work, not after
+    create_folder(arguments.folder);
+
+    RadiositySolver solver(scene, solver_options(arguments));
+    if (!arguments.checkpoint.empty() && std::filesystem::exists(arguments.checkpoint))
+        solver.resume(read_file(arguments.checkpoint));
+
+    // The run: one shot after the other. Ctrl-C ends it after the current one, and what there is is written.
+    const Progress progress = terminal_progress("unshot flux shot");
+    report::RunFigures figures;
+    figures.scene = arguments.scene;
+    auto saved = std::chrono::steady_clock::now();
+    const double from = std::log(1 / solver.options().stop.unshot);
+    try {
+        while (solver.step()) {
+            // Progress by the logarithm of what remains: it falls about as fast all the time.
+            const double done =
+                std::isfinite(from) && from > 0 ? std::log(1 / std::max(solver.unshot_share(), 1e-300)) / from : 0;
+            const double shots =
+                static_cast<double>(solver.counters().shots) / static_cast<double>(solver.options().stop.shots);
+            progress(static_cast<std::uint64_t>(1e4 * std::min(1.0, std::max({done, shots, 0.0}))), 10000);
+            const auto now = std::chrono::steady_clock::now();
+            if (!arguments.checkpoint.empty() &&
+                std::chrono::duration<double>(now - saved).count() > arguments.checkpoint_seconds) {
+                write_file(arguments.checkpoint, solver.checkpoint());
+                saved = now;
+            }
+        }
+        figures.ended_by = ended_by(solver);
+    } catch (const Interrupted&) {
+        figures.interrupted = true;
+        figures.ended_by = "interrupt";
+    }
+    if (!arguments.checkpoint.empty()) write_file(arguments.checkpoint, solver.checkpoint());
+    write_all(solver, arguments, camera, figures, begin);
+    if (figures.interrupted) throw Interrupted();
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+    auto arguments = std::make_shared<Arguments>();
+    Arguments& a = *arguments;
+    RadiosityOptions& o = a.options;
+    CLI::App* command = app.add_subcommand("render", "Solve radiosity with the Close Object Buffer and draw it");
+    command->option_defaults()->always_capture_default();
+    command->add_option("SCENE", a.scene, "OBJ file; a .view file beside it is the default camera")->required();
+    command
+        ->add_option("-o,--output", a.folder,
+                     "Folder for picture.png, mesh.png, states.png, mesh.ply, mesh.vtp, exitance.csv, summary.*")
+        ->required();
+    const auto names = [](const auto& map) {
+        std::vector<std::string> all;
+        for (const auto& entry : map) all.push_back(entry.first);
+        return CLI::IsMember(all);
+    };
+    const auto positive = CLI::PositiveNumber;
+
+    command->add_option("--refine", a.refine, "Which refinement is on")->check(names(refinements))->group("Refinement");
+    command->add_option("--edge", o.patch_edge, "Longest side of a patch; 0: a twelfth of the scene's longest extent")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Refinement");
+    command->add_option("--buffer-edge", o.buffer.minimum_edge, "The buffer's minimum edge; 0: a sixteenth of --edge")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Refinement");
+    command->add_option("--strength", a.strength, "Strength of an interaction (SPEC 8, choice 7)")
+        ->check(names(strengths))
+        ->group("Refinement");
+    command->add_option("--strength-threshold", o.buffer.threshold, "Weaker interactions do not refine")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Refinement");
+    command->add_option("--margin", a.margin, "Of the box, share of the element's extents (SPEC 4)")
+        ->group("Refinement");
+    command->add_option("--height", a.height, "Of the box, share of its shorter extent (SPEC 4)")->group("Refinement");
+    command->add_option("--buffer", a.buffer_levels, "What an element's buffer is built from")
+        ->check(names(levels))
+        ->group("Refinement");
+    command->add_option("--mode", a.mode, "What an occluded buffer means inside (SPEC 5, choice 5)")
+        ->check(names(modes))
+        ->group("Refinement");
+    command
+        ->add_option("--gradient-threshold", a.gradient_threshold,
+                     "Difference of exitance over its mean; 1 or 3 numbers")
+        ->delimiter(',')
+        ->expected(1, 3)
+        ->group("Refinement");
+    command
+        ->add_option("--gradient-edge", o.gradient.minimum_edge, "The gradient's minimum edge; 0: an eighth of --edge")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Refinement");
+
+    command->add_option("--shots", o.stop.shots, "Stop after so many shots")->check(positive)->group("Stop");
+    command->add_option("--elements", a.elements, "Stop at so many elements; 0: never")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Stop");
+    command->add_option("--unshot", o.stop.unshot, "Stop when this share of the emitted flux is unshot")
+        ->check(CLI::Range(0.0, 1.0))
+        ->group("Stop");
+    command->add_option("--checkpoint", a.checkpoint, "File to resume from, if it exists, and to save to")
+        ->group("Stop");
+    command->add_option("--checkpoint-seconds", a.checkpoint_seconds, "Save so often")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Stop");
+
+    command->add_option("--emission", a.emission, "What Ke means")
+        ->check(CLI::IsMember({"exitance", "radiance"}))
+        ->group("Transport");
+    command->add_option("--samples", o.samples, "Points of a shooter seen from each receiver")
+        ->check(CLI::IsMember({1, 4, 16, 64}))
+        ->group("Transport");
+    command->add_option("--mixed-samples", o.mixed_samples, "Instead, where some of them are blocked")
+        ->check(CLI::IsMember({1, 4, 16, 64}))
+        ->group("Transport");
+    command->add_option("--receiving-points", o.receiving_points, "Points of an element that receive")
+        ->check(CLI::IsMember({1, 4, 16}))
+        ->group("Transport");
+    command->add_flag("--overshoot", o.overshoot, "Shoot what is going to arrive, too: fewer shots")
+        ->group("Transport");
+    command->add_flag("--skip-invalid", a.skip_invalid, "Leave polygons out that SPEC 2 refuses")->group("Transport");
+    command->add_flag("--keep-all", o.keep_all, "Leave nothing out that the scene does not need: same result, slower")
+        ->group("Transport");
+    command->add_option("--threads", o.threads, "0: all; the result is the same")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Transport");
+
+    command->add_option("--view", a.view, "File with position, target, up, fov")->group("Picture");
+    command->add_option("--position", a.position, "Camera's place, X Y Z")->expected(3)->group("Picture");
+    command->add_option("--target", a.target, "Where it looks, X Y Z")->expected(3)->group("Picture");
+    command->add_option("--up", a.up, "What is up, X Y Z")->expected(3)->group("Picture");
+    command->add_option("--fov", a.fov, "Vertical field of view, degrees; 0: of the view")
+        ->check(CLI::Range(0.0, 179.0))
+        ->group("Picture");
+    command->add_option("--width", a.picture.width, "Pixels")->check(CLI::Range(16, 8192))->group("Picture");
+    command->add_option("--picture-height", a.picture.height, "Pixels")->check(CLI::Range(16, 8192))->group("Picture");
+    command->add_option("--antialias", a.picture.antialiasing, "Rays a pixel along either side")
+        ->check(CLI::Range(1, 16))
+        ->group("Picture");
+    command->add_option("--exposure", a.picture.exposure, "Linear light for 1 W/m2; 0: from the picture")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Picture");
+    command->add_flag("--ambient", a.picture.ambient, "Add the ambient term, for display only")->group("Picture");
+    command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace cob::cli

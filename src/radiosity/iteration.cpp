@@ -1,0 +1,286 @@
+/// One iteration of progressive refinement with the buffer inside (the paper's section 5).
+#include "radiosity/state.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cob {
+
+using namespace radiosity;
+
+bool RadiositySolver::State::stopped() const {
+    return counters.shots >= options.stop.shots ||
+           static_cast<std::int64_t>(mesh->leaf_count()) >= options.stop.elements ||
+           unshot_share() <= options.stop.unshot;
+}
+
+bool RadiositySolver::State::step() {
+    if (stopped()) return false;
+    const NodeId patch = brightest_patch();
+    if (patch < 0) return false;
+    shots.push_back(take_shot(patch));
+    ++counters.shots;
+    bring(shots.back());
+    if (uses_gradient()) refine_by_gradient();
+    return true;
+}
+
+NodeId RadiositySolver::State::brightest_patch() const {
+    NodeId best = -1;
+    double most = 0;
+    for (std::size_t p = 0; p < unshot_flux.size(); ++p) {
+        const double flux = std::fabs(unshot_flux[p][0]) + std::fabs(unshot_flux[p][1]) + std::fabs(unshot_flux[p][2]);
+        if (flux > most && area(static_cast<NodeId>(p)) > 0) {
+            most = flux;
+            best = static_cast<NodeId>(p);
+        }
+    }
+    return best;
+}
+
+Shot RadiositySolver::State::take_shot(NodeId patch) {
+    const auto p = static_cast<std::size_t>(patch);
+    // Overshooting (Feda and Purgathofer 1992): the patch's share of the ambient term is going to arrive anyway.
+    const Rgb foreseen = options.overshoot ? ambient() : Rgb{};
+    Rgb exitance;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double flux = unshot_flux[p][c] + area(patch) * material(patch).reflectance[c] * foreseen[c];
+        exitance[c] = flux / area(patch);
+        unshot_flux[p][c] -= flux;
+        shot_flux[p][c] += flux;
+    }
+    return transport->make_shot(patch, exitance);
+}
+
+/// Brings one shot to every leaf, each exactly once (choice 6).
+void RadiositySolver::State::bring(const Shot& shot) {
+    // All leaves, by patch, but those of roots that cannot see the shooter.
+    std::vector<Batch> batches;
+    for (RootId root = 0; root < roots.size(); ++root) {
+        if (transport->apart(shot, root)) continue;
+        const auto [first, last] = mesh->patches_of(root);
+        for (NodeId patch = first; patch < last; ++patch) {
+            Batch batch;
+            batch.patch = patch;
+            for (const NodeId leaf : leaves[static_cast<std::size_t>(patch)])
+                batch.work.push_back({leaf, Work::Action::skip, 0});
+            batches.push_back(std::move(batch));
+        }
+    }
+
+    double given = 0;
+    const double taken = sum(shot.exitance) * area(shot.patch);
+    while (!batches.empty()) {
+        const auto for_each_batch = [&](const auto& act) {
+            arena_.execute(
+                [&] { tbb::parallel_for(std::size_t(0), batches.size(), [&](std::size_t k) { act(batches[k]); }); });
+        };
+        {
+            const PhaseTimer timer(times.interaction);
+            for_each_batch([&](Batch& batch) { decide(shot, batch); });
+        }
+        if (uses_buffer()) {
+            const PhaseTimer timer(times.buffer);
+            build_buffers(batches);
+        }
+        {
+            const PhaseTimer timer(times.shooting);
+            for_each_batch([&](Batch& batch) { shoot(shot, batch); });
+        }
+
+        // Sums in the order of patches, whatever thread did the work.
+        for (const Batch& batch : batches) {
+            given += sum(batch.given);
+            for (std::size_t c = 0; c < 3; ++c)
+                unshot_flux[static_cast<std::size_t>(batch.patch)][c] += batch.reflected[c];
+            counters.interactions += batch.counters.interactions;
+            counters.form_factors += batch.counters.form_factors;
+            counters.segments += batch.counters.segments;
+            counters.oracle_segments += batch.counters.oracle_segments;
+            counters.segments_left_out += batch.counters.segments_left_out;
+            counters.skipped_occluded += batch.counters.skipped_occluded;
+            for (std::size_t k = 0; k < 4; ++k)
+                counters.buffers[k] += static_cast<std::int64_t>(batch.statistics.built[k]);
+        }
+        const PhaseTimer timer(times.refinement);
+        batches = refine_put_aside(batches);
+    }
+
+    flux_given += std::fabs(given);
+    const double closure = given / taken;
+    closure_sum += closure;
+    closure_least = counters.shots == 1 ? closure : std::min(closure_least, closure);
+    closure_most = counters.shots == 1 ? closure : std::max(closure_most, closure);
+}
+
+/// Steps 1 and 2 of the paper's section 5, as far as they need no new buffer.
+void RadiositySolver::State::decide(const Shot& shot, Batch& batch) const {
+    TransportScratch scratch;
+    for (Work& work : batch.work) {
+        work.action = Work::Action::skip;
+        const Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
+        // Step 1: totally occluded, by the buffer or by a sheet in its plane: no shot.
+        const bool occluded = uses_buffer() && cell.buffer.state() == BufferState::occluded;
+        if (occluded || cell.cover.kind == Cover::Kind::wholly) {
+            ++batch.counters.skipped_occluded;
+            continue;
+        }
+        work.form_factor = transport->unobstructed(shot, work.leaf, scratch);
+        if (work.form_factor == 0 && options.receiving_points == 1) continue;
+        // Step 2: a weak interaction, or an element that is small enough: shoot.
+        work.action = Work::Action::shoot;
+        if (!uses_buffer() || is_full() ||
+            mesh->longest_side(work.leaf) <= std::scalbn(options.buffer.minimum_edge, -mesh->exponent()))
+            continue;
+        if (mesh->node(work.leaf).element.level_i >= 29 || mesh->node(work.leaf).element.level_j >= 29) continue;
+        if (!is_strong(shot, work)) continue;
+        // Step 3: the buffer decides.
+        work.action = Work::Action::ask_buffer;
+    }
+    count(scratch, batch.counters);
+}
+
+/// Equation (1) as SPEC 8 has it (choice 7).
+bool RadiositySolver::State::is_strong(const Shot& shot, const Work& work) const {
+    const Material& m = material(work.leaf);
+    double strength = 0, reference = 0;
+    switch (options.buffer.strength) {
+        case Strength::exitance:
+            for (std::size_t c = 0; c < 3; ++c)
+                strength += m.reflectance[c] * std::fabs(shot.exitance[c]) * work.form_factor;
+            reference = sum(exitance(work.leaf));
+            break;
+        case Strength::flux:
+            for (std::size_t c = 0; c < 3; ++c) {
+                strength += area(work.leaf) * m.reflectance[c] * std::fabs(shot.exitance[c]) * work.form_factor;
+                reference += area(shot.patch) * std::fabs(shot.exitance[c]);
+            }
+            break;
+        case Strength::paper: {
+            // From centre to centre, without the shooter's exitance.
+            const double third = 1.0 / 3;
+            const bool triangle = mesh->node(work.leaf).corner_count() == 3, from_triangle = shot.corner_count == 3;
+            const Point from = transport->point(work.leaf, triangle ? third : 0.5, triangle ? third : 0.5);
+            const Point to = transport->point(shot.patch, from_triangle ? third : 0.5, from_triangle ? third : 0.5);
+            const Point d = to - from;
+            const Planes& planes = transport->planes();
+            const PieceId piece = roots[mesh->node(work.leaf).element.root].piece;
+            const double cosines = dot(planes.normal(piece), d) * -dot(planes.normal(shot.piece), d);
+            strength = sum(m.reflectance) / 3 * std::max(cosines, 0.0) * area(shot.patch) /
+                       (3.14159265358979323846 * dot(d, d) * dot(d, d));
+            reference = 1;
+            break;
+        }
+    }
+    return strength > 0 && strength > options.buffer.threshold * reference;
+}
+
+/// The nearest element around a leaf whose buffer is built; of two levels, its root's.
+CloseObjectBuffer RadiositySolver::State::around(NodeId leaf) const {
+    const Node& node = mesh->node(leaf);
+    if (options.buffer.levels == BufferLevels::element) return {};
+    if (options.buffer.levels == BufferLevels::tree)
+        for (NodeId up = node.parent; up >= 0; up = mesh->node(up).parent)
+            if (cells[static_cast<std::size_t>(up)].buffer.is_built())
+                return cells[static_cast<std::size_t>(up)].buffer;
+    return root_buffers[static_cast<std::size_t>(node.element.root)];
+}
+
+/// Step 3: builds what is asked for, then begins again at step 1: the buffer may have turned out occluded.
+void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
+    // The buffers over whole pieces first (section 7), each the first time it is needed.
+    if (options.buffer.levels != BufferLevels::element) {
+        std::vector<RootId> needed;
+        for (const Batch& batch : batches) {
+            const RootId root = mesh->node(batch.patch).element.root;
+            const bool asked = std::any_of(batch.work.begin(), batch.work.end(), [&](const Work& work) {
+                return work.action == Work::Action::ask_buffer &&
+                       !cells[static_cast<std::size_t>(work.leaf)].buffer.is_built();
+            });
+            if (asked && !root_buffers[static_cast<std::size_t>(root)].is_built() &&
+                (needed.empty() || needed.back() != root))
+                needed.push_back(root);
+        }
+        std::vector<BufferStatistics> statistics(needed.size());
+        arena_.execute([&] {
+            tbb::parallel_for(std::size_t(0), needed.size(), [&](std::size_t k) {
+                root_buffers[static_cast<std::size_t>(needed[k])] =
+                    builder->build(root_element(needed[k]), &statistics[k]);
+            });
+        });
+        for (const BufferStatistics& s : statistics)
+            for (std::size_t k = 0; k < 4; ++k) counters.buffers[k] += static_cast<std::int64_t>(s.built[k]);
+    }
+
+    arena_.execute([&] {
+        tbb::parallel_for(std::size_t(0), batches.size(), [&](std::size_t k) {
+            for (Work& work : batches[k].work) {
+                if (work.action != Work::Action::ask_buffer) continue;
+                Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
+                if (!cell.buffer.is_built()) {
+                    const CloseObjectBuffer parent = around(work.leaf);
+                    const Element& element = mesh->node(work.leaf).element;
+                    cell.buffer = parent.is_built() ? builder->build(element, parent, &batches[k].statistics)
+                                                    : builder->build(element, &batches[k].statistics);
+                }
+                switch (cell.buffer.state()) {
+                    case BufferState::occluded:
+                        work.action = Work::Action::skip;
+                        ++batches[k].counters.skipped_occluded;
+                        break;
+                    case BufferState::close:
+                        work.action = Work::Action::put_aside;
+                        break;
+                    case BufferState::empty:
+                    case BufferState::uninitialised:
+                        // A sheet in its own plane is no close polygon (SPEC 5), but an edge of one all the same.
+                        work.action =
+                            cell.cover.kind == Cover::Kind::partly ? Work::Action::put_aside : Work::Action::shoot;
+                        break;
+                }
+            }
+        });
+    });
+}
+
+void RadiositySolver::State::shoot(const Shot& shot, Batch& batch) {
+    TransportScratch scratch;
+    bool found = false;
+    const std::size_t number = shots.size() - 1;
+    for (const Work& work : batch.work) {
+        if (work.action == Work::Action::put_aside) continue;
+        Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
+        if (work.action == Work::Action::skip) {
+            const bool away = work.form_factor == 0 && cell.cover.kind != Cover::Kind::wholly &&
+                              !(uses_buffer() && cell.buffer.state() == BufferState::occluded);
+            if (options.refinement != Refinement::none)
+                set_sight(cell.sights, number, away ? Sight::away : Sight::none);
+            continue;
+        }
+        if (!found) transport->find_between(shot, batch.patch, scratch);
+        found = true;
+        const Reception reception = transport->receive(shot, work.leaf, scratch);
+        ++batch.counters.interactions;
+        if (options.refinement != Refinement::none) set_sight(cell.sights, number, reception.sight);
+        const Material& m = material(work.leaf);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double irradiance = shot.exitance[c] * reception.form_factor;
+            cell.irradiance[c] += irradiance;
+            batch.given[c] += cell.area * irradiance;
+            batch.reflected[c] += cell.area * m.reflectance[c] * irradiance;
+        }
+    }
+    count(scratch, batch.counters);
+}
+
+void RadiositySolver::State::count(const TransportScratch& scratch, RadiosityCounters& into) const {
+    into.form_factors += scratch.form_factors;
+    into.segments += scratch.segments;
+    into.oracle_segments += scratch.oracle_segments;
+    into.segments_left_out += scratch.segments_left_out;
+    into.resampled += scratch.resampled;
+}
+
+}  // namespace cob

@@ -1,0 +1,275 @@
+#include "radiosity/state.hpp"
+
+#include "cob/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace cob {
+
+using namespace radiosity;
+
+namespace {
+
+double longest_extent(const Scene& scene) {
+    double longest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Point& p : scene.positions()) {
+            low = std::min(low, p[axis]);
+            high = std::max(high, p[axis]);
+        }
+        longest = std::max(longest, high - low);
+    }
+    return std::isfinite(longest) ? longest : std::numeric_limits<double>::max();
+}
+
+int default_threads() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_options)
+    : scene(a_scene),
+      options(std::move(some_options)),
+      roots(a_scene),
+      arena_(options.threads > 0 ? options.threads : default_threads()) {
+    const PhaseTimer timer(times.meshing);
+    check_options();
+    candidates = make_candidates(scene, scene.polygon_count() <= 32 ? Source::all : Source::cgal);
+    mesh = std::make_unique<Mesh>(scene, roots, options.patch_edge);
+    sheets = std::make_unique<Sheets>(scene, *candidates);
+    arena_.execute([&] { transport = std::make_unique<Transport>(scene, *mesh, *candidates, *sheets, options); });
+    builder = std::make_unique<BufferBuilder>(
+        scene, roots, *candidates, BufferOptions{options.buffer.margin, options.buffer.height, options.buffer.mode});
+    root_buffers.resize(static_cast<std::size_t>(roots.size()));
+    add_cells();
+
+    const auto patches = static_cast<std::size_t>(mesh->patch_count());
+    leaves.resize(patches);
+    unshot_flux.resize(patches);
+    shot_flux.resize(patches);
+    for (std::size_t p = 0; p < patches; ++p) {
+        const auto id = static_cast<NodeId>(p);
+        leaves[p] = {id};
+        for (std::size_t c = 0; c < 3; ++c) {
+            unshot_flux[p][c] = area(id) * material(id).emitted_exitance[c];
+            emitted_flux[c] += unshot_flux[p][c];
+        }
+    }
+}
+
+void RadiositySolver::State::check_options() {
+    const auto refuse = [&](const std::string& problem, const std::string& value, const std::string& remedy) {
+        throw InputError(problem, {scene.name(), 0, value, remedy});
+    };
+    bool lit = false;
+    for (PolygonId p = 0; p < scene.polygon_count(); ++p) {
+        if (!scene.polygon(p).valid) continue;
+        lit = lit || scene.is_light(p);
+        for (const double rho : scene.material(p).reflectance)
+            if (rho >= 1)
+                refuse("material '" + scene.material(p).name +
+                           "' reflects everything: in a closed scene exitance would grow without end",
+                       to_text(rho), "give it a reflectance below 1");
+    }
+    if (!lit) refuse("the scene has no light: everything stays black", "", "give a material a Ke above 0");
+
+    RadiosityOptions& o = options;
+    if (!(o.patch_edge >= 0)) refuse("a patch edge must not be negative", to_text(o.patch_edge), "give a length");
+    if (o.patch_edge == 0) o.patch_edge = longest_extent(scene) / 12;
+    if (o.buffer.minimum_edge == 0) o.buffer.minimum_edge = o.patch_edge / 16;
+    if (o.gradient.minimum_edge == 0) o.gradient.minimum_edge = o.patch_edge / 8;
+    for (const int samples : {o.samples, o.mixed_samples})
+        if (samples != 1 && samples != 4 && samples != 16 && samples != 64)
+            refuse("samples of a patch come in grids", std::to_string(samples), "choose 1, 4, 16 or 64");
+    if (o.receiving_points != 1 && o.receiving_points != 4 && o.receiving_points != 16)
+        refuse("receiving points come in grids", std::to_string(o.receiving_points), "choose 1, 4 or 16");
+}
+
+bool RadiositySolver::State::uses_buffer() const {
+    return options.refinement == Refinement::buffer || options.refinement == Refinement::both;
+}
+
+bool RadiositySolver::State::uses_gradient() const {
+    return options.refinement == Refinement::gradient || options.refinement == Refinement::both;
+}
+
+void RadiositySolver::State::add_cells() {
+    for (std::size_t k = cells.size(); k < mesh->nodes().size(); ++k) {
+        const auto id = static_cast<NodeId>(k);
+        Cell cell;
+        const Element& element = mesh->node(id).element;
+        cell.cover = sheets->cover(roots[element.root], element);
+        cell.area = mesh->area(id) * cell.cover.visible_share;
+        cells.push_back(std::move(cell));
+    }
+}
+
+double RadiositySolver::State::area(NodeId node) const {
+    return cells[static_cast<std::size_t>(node)].area;
+}
+
+const Material& RadiositySolver::State::material(NodeId node) const {
+    return scene.material(roots[mesh->node(node).element.root].polygon);
+}
+
+Rgb RadiositySolver::State::exitance(NodeId node) const {
+    const Material& m = material(node);
+    const Rgb& irradiance = cells[static_cast<std::size_t>(node)].irradiance;
+    Rgb result;
+    for (std::size_t c = 0; c < 3; ++c) result[c] = m.emitted_exitance[c] + m.reflectance[c] * irradiance[c];
+    return result;
+}
+
+double RadiositySolver::State::unshot_share() const {
+    double unshot = 0;
+    for (const Rgb& flux : unshot_flux)
+        for (const double f : flux) unshot += std::fabs(f);
+    return unshot / sum(emitted_flux);
+}
+
+Rgb RadiositySolver::State::ambient() const {
+    // Cohen et al. 1988: what is unshot spreads over all surfaces and is reflected again and again.
+    Rgb unshot{}, reflected{}, result{};
+    double all = 0;
+    for (std::size_t p = 0; p < unshot_flux.size(); ++p) {
+        const auto id = static_cast<NodeId>(p);
+        all += area(id);
+        for (std::size_t c = 0; c < 3; ++c) {
+            unshot[c] += unshot_flux[p][c];
+            reflected[c] += area(id) * material(id).reflectance[c];
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) result[c] = unshot[c] / all / (1 - reflected[c] / all);
+    return result;
+}
+
+EnergyBooks RadiositySolver::State::books() const {
+    EnergyBooks books;
+    const double square = std::ldexp(1.0, 2 * std::clamp(mesh->exponent(), -500, 500));
+    for (std::size_t p = 0; p < leaves.size(); ++p) {
+        for (const NodeId leaf : leaves[p]) {
+            const Rgb m = exitance(leaf);
+            for (std::size_t c = 0; c < 3; ++c) books.by_elements[c] += area(leaf) * m[c] * square;
+        }
+        for (std::size_t c = 0; c < 3; ++c) books.by_patches[c] += (shot_flux[p][c] + unshot_flux[p][c]) * square;
+    }
+    const auto count = static_cast<double>(std::max<std::int64_t>(1, counters.shots));
+    books.closure_mean = closure_sum / count;
+    books.closure_least = closure_least;
+    books.closure_most = closure_most;
+    books.moved = flux_given > 0 ? flux_moved / flux_given : 0;
+    return books;
+}
+
+double EnergyBooks::difference() const {
+    double worst = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (by_patches[c] != by_elements[c])
+            worst = std::max(worst, std::fabs(by_patches[c] - by_elements[c]) / std::fabs(by_elements[c]));
+    return worst;
+}
+
+// ------------------------------------------------------------------------------------------- the public face
+
+RadiositySolver::RadiositySolver(const Scene& scene, RadiosityOptions options)
+    : state_(std::make_unique<State>(scene, std::move(options))) {}
+RadiositySolver::~RadiositySolver() = default;
+RadiositySolver::RadiositySolver(RadiositySolver&&) noexcept = default;
+
+bool RadiositySolver::step() {
+    return state_->step();
+}
+double RadiositySolver::unshot_share() const {
+    return state_->unshot_share();
+}
+const RadiosityOptions& RadiositySolver::options() const {
+    return state_->options;
+}
+const RadiosityCounters& RadiositySolver::counters() const {
+    return state_->counters;
+}
+const RadiosityTimes& RadiositySolver::times() const {
+    return state_->times;
+}
+EnergyBooks RadiositySolver::books() const {
+    return state_->books();
+}
+const Mesh& RadiositySolver::mesh() const {
+    return *state_->mesh;
+}
+const Roots& RadiositySolver::roots() const {
+    return state_->roots;
+}
+std::size_t RadiositySolver::element_count() const {
+    return state_->mesh->leaf_count();
+}
+std::size_t RadiositySolver::patch_count() const {
+    return static_cast<std::size_t>(state_->mesh->patch_count());
+}
+Rgb RadiositySolver::exitance(std::int32_t leaf) const {
+    return state_->exitance(leaf);
+}
+std::vector<Rgb> RadiositySolver::vertex_exitance() const {
+    return state_->vertex_exitance();
+}
+Rgb RadiositySolver::ambient() const {
+    return state_->ambient();
+}
+std::vector<std::string> RadiositySolver::left_out() const {
+    return state_->left_out();
+}
+std::string RadiositySolver::checkpoint() const {
+    return state_->checkpoint();
+}
+void RadiositySolver::resume(const std::string& checkpoint) {
+    state_->resume(checkpoint);
+}
+
+std::vector<std::size_t> RadiositySolver::elements_by_level() const {
+    std::vector<std::size_t> result;
+    for (const Node& node : state_->mesh->nodes()) {
+        if (!node.is_leaf()) continue;
+        if (result.size() <= node.level) result.resize(node.level + 1u);
+        ++result[node.level];
+    }
+    return result;
+}
+
+BufferState RadiositySolver::buffer_state(std::int32_t node) const {
+    return state_->cells[static_cast<std::size_t>(node)].buffer.state();
+}
+
+bool RadiositySolver::hidden(std::int32_t node) const {
+    return state_->cells[static_cast<std::size_t>(node)].cover.kind == Cover::Kind::wholly;
+}
+
+bool RadiositySolver::lies_on(PolygonId top, PolygonId under) const {
+    const std::vector<PolygonId>& above = state_->sheets->above(under);
+    return std::find(above.begin(), above.end(), top) != above.end();
+}
+
+std::size_t RadiositySolver::buffer_bytes() const {
+    return (state_->cells.size() + state_->root_buffers.size()) * sizeof(CloseObjectBuffer) +
+           state_->builder->list_bytes();
+}
+
+std::size_t RadiositySolver::buffer_count() const {
+    return state_->cells.size() + state_->root_buffers.size();
+}
+
+std::vector<std::string> RadiositySolver::State::left_out() const {
+    std::vector<std::string> result;
+    if (options.keep_all) return result;
+    if (counters.segments_left_out > 0)
+        result.push_back("segments between shooters and patches with nothing in the shaft between them: " +
+                         std::to_string(counters.segments_left_out));
+    if (!sheets->any()) result.push_back("sheets in one plane: no two polygons overlap so");
+    if (scene.polygon_count() <= 32) result.push_back("a tree over the polygons: there are few");
+    return result;
+}
+
+}  // namespace cob

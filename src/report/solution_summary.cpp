@@ -1,0 +1,164 @@
+#include "radiosity/mesh.hpp"
+#include "report/solution_files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+#include <cstdio>
+
+namespace cob::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Refinement r) {
+    static constexpr const char* names[] = {"none", "gradient", "buffer", "both"};
+    return names[static_cast<std::size_t>(r)];
+}
+const char* name_of(Strength s) {
+    static constexpr const char* names[] = {"exitance", "flux", "paper"};
+    return names[static_cast<std::size_t>(s)];
+}
+const char* name_of(BufferLevels l) {
+    static constexpr const char* names[] = {"element", "polygon", "tree"};
+    return names[static_cast<std::size_t>(l)];
+}
+
+Json options_json(const RadiosityOptions& o) {
+    return {
+        {"refine", name_of(o.refinement)},
+        {"patch_edge", o.patch_edge},
+        {"buffer",
+         {{"margin", to_text(o.buffer.margin)},
+          {"height", to_text(o.buffer.height)},
+          {"minimum_edge", o.buffer.minimum_edge},
+          {"strength", name_of(o.buffer.strength)},
+          {"threshold", o.buffer.threshold},
+          {"levels", name_of(o.buffer.levels)},
+          {"mode", o.buffer.mode == BufferMode::strict ? "strict" : "inherit"}}},
+        {"gradient",
+         {{"threshold", o.gradient.threshold}, {"minimum_edge", o.gradient.minimum_edge}, {"floor", o.gradient.floor}}},
+        {"samples", o.samples},
+        {"mixed_samples", o.mixed_samples},
+        {"receiving_points", o.receiving_points},
+        {"overshoot", o.overshoot},
+        {"keep_all", o.keep_all}};
+}
+
+Json buffers_json(const RadiositySolver& solver) {
+    const auto& built = solver.counters().buffers;
+    const auto of = [&](BufferState state) { return built[static_cast<std::size_t>(state)]; };
+    return {
+        {"built", of(BufferState::empty) + of(BufferState::close) + of(BufferState::occluded)},
+        {"empty", of(BufferState::empty)},
+        {"close", of(BufferState::close)},
+        {"occluded", of(BufferState::occluded)},
+        {"bytes", solver.buffer_bytes()},
+        {"bytes_per_buffer", static_cast<double>(solver.buffer_bytes()) / static_cast<double>(solver.buffer_count())},
+        {"bytes_per_element",
+         static_cast<double>(solver.buffer_bytes()) / static_cast<double>(solver.element_count())}};
+}
+
+std::string format(const char* pattern, double a, double b = 0, double c = 0) {
+    char text[200];
+    std::snprintf(text, sizeof text, pattern, a, b, c);
+    return text;
+}
+
+}  // namespace
+
+std::size_t peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string summary_json(const RadiositySolver& solver, const RunFigures& figures) {
+    const RadiosityCounters& c = solver.counters();
+    const RadiosityTimes& t = solver.times();
+    const EnergyBooks books = solver.books();
+    const double interactions = static_cast<double>(c.interactions);
+    Json json;
+    json["scene"] = figures.scene;
+    json["polygons"] = solver.mesh().scene().polygon_count();
+    json["patches"] = solver.patch_count();
+    json["elements"] = solver.element_count();
+    json["elements_by_level"] = solver.elements_by_level();
+    json["options"] = options_json(solver.options());
+    json["ended_by"] = figures.ended_by;
+    json["unshot_share"] = solver.unshot_share();
+    json["counters"] = {{"shots", c.shots},
+                        {"interactions", c.interactions},
+                        {"form_factors", c.form_factors},
+                        {"segments", c.segments},
+                        {"segments_by_exact_oracle", c.oracle_segments},
+                        {"segments_left_out", c.segments_left_out},
+                        {"skipped_as_occluded", c.skipped_occluded},
+                        {"refined_by_buffer", c.put_aside},
+                        {"refined_by_gradient", c.refined_by_gradient},
+                        {"refined_for_balance", c.refined_for_balance},
+                        {"sampled_anew", c.resampled}};
+    json["buffers"] = buffers_json(solver);
+    json["left_out"] = solver.left_out();
+    json["bookkeeping"] = {{"exitance_flux_by_elements", books.by_elements},
+                           {"exitance_flux_by_patches", books.by_patches},
+                           {"relative_difference", books.difference()},
+                           {"moved_by_subdivision", books.moved}};
+    json["closure"] = {{"mean", books.closure_mean}, {"least", books.closure_least}, {"most", books.closure_most}};
+    json["seconds"] = {{"meshing", t.meshing},   {"interaction", t.interaction},       {"buffer", t.buffer},
+                       {"shooting", t.shooting}, {"refinement", t.refinement},         {"gradient", t.gradient},
+                       {"solution", t.total()},  {"picture", figures.picture_seconds}, {"all", figures.seconds}};
+    json["buffer_share_of_solution"] = t.total() > 0 ? t.buffer / t.total() : 0;
+    // What an interaction costs on average is what one that is skipped as occluded saves.
+    json["seconds_saved_by_occluded_elements"] =
+        interactions > 0 ? static_cast<double>(c.skipped_occluded) * (t.interaction + t.shooting) / interactions : 0;
+    json["exposure"] = figures.exposure;
+    json["peak_memory_bytes"] = peak_memory();
+    return json.dump(2) + "\n";
+}
+
+std::string summary_text(const RadiositySolver& solver, const RunFigures& figures) {
+    const Json j = Json::parse(summary_json(solver, figures));
+    const auto number = [](const Json& value) { return value.get<double>(); };
+    std::string levels;
+    for (const auto& count : j["elements_by_level"]) levels += (levels.empty() ? "" : " ") + count.dump();
+    const auto line = [](const std::string& name, const std::string& value) {
+        return name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') + value + "\n";
+    };
+    const Json &c = j["counters"], &b = j["buffers"], &s = j["seconds"];
+    std::string text = line("scene", figures.scene);
+    text += line("polygons", j["polygons"].dump()) + line("patches", j["patches"].dump());
+    text += line("elements", j["elements"].dump() + " (by level: " + levels + ")");
+    text += line("shots", c["shots"].dump() + ", ended by " + figures.ended_by);
+    text += line("unshot flux", format("%.4g %%", 100 * number(j["unshot_share"])));
+    text += line("segments tested", c["segments"].dump() + " (" + c["segments_by_exact_oracle"].dump() +
+                                        " by the exact oracle), left out " + c["segments_left_out"].dump());
+    text += line("refined", "by buffer " + c["refined_by_buffer"].dump() + ", by gradient " +
+                                c["refined_by_gradient"].dump() + ", for balance " + c["refined_for_balance"].dump());
+    text += line("buffers built", b["built"].dump() + ": empty " + b["empty"].dump() + ", close " + b["close"].dump() +
+                                      ", occluded " + b["occluded"].dump());
+    text += line("buffer memory", format("%.2f bytes a buffer, %.2f an element", number(b["bytes_per_buffer"]),
+                                         number(b["bytes_per_element"])));
+    text += line("skipped as occluded",
+                 c["skipped_as_occluded"].dump() +
+                     format(" shots, about %.3g s saved", number(j["seconds_saved_by_occluded_elements"])));
+    for (const auto& reason : j["left_out"]) text += line("left out", reason.get<std::string>());
+    text += line("bookkeeping", format("differs by %.2g; subdivision moved %.3g %% of the flux",
+                                       number(j["bookkeeping"]["relative_difference"]),
+                                       100 * number(j["bookkeeping"]["moved_by_subdivision"])));
+    text +=
+        line("closure", format("mean %.6f, least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["mean"]),
+                               number(j["closure"]["least"]), number(j["closure"]["most"])));
+    text += line("seconds", format("%.3f solution, %.3f picture, %.3f in all", number(s["solution"]),
+                                   number(s["picture"]), number(s["all"])));
+    text += line("  interaction, shooting", format("%.3f, %.3f", number(s["interaction"]), number(s["shooting"])));
+    text += line("  buffer", format("%.4f: %.3f %% of the solution", number(s["buffer"]),
+                                    100 * number(j["buffer_share_of_solution"])));
+    text += line("  refinement, gradient", format("%.3f, %.3f", number(s["refinement"]), number(s["gradient"])));
+    text += line("  meshing", format("%.3f", number(s["meshing"])));
+    text += line("peak memory", format("%.1f MB", number(j["peak_memory_bytes"]) / 1e6));
+    return text;
+}
+
+}  // namespace cob::report
