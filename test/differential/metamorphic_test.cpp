@@ -18,7 +18,9 @@ using naive::Dice;
 class Prepared {
 public:
     explicit Prepared(const std::vector<naive::Face>& faces)
-        : scene_(library_scene(faces)), source_(make_candidates(scene_, Source::all)), oracle_(scene_, *source_) {}
+        : scene_(library_scene(faces, Vertices::shared)),
+          source_(make_candidates(scene_, Source::all)),
+          oracle_(scene_, *source_) {}
 
     Visibility operator()(const RationalPoint& from, const RationalPoint& to) const {
         return oracle_({ExactPoint(from), ExactPoint(to)});

@@ -6,12 +6,17 @@
 
 #include "cob/scene.hpp"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace cob::test {
 
-/// One vertex for each corner of each face: consecutive and distant repetitions stay what they are.
-inline Scene library_scene(const std::vector<naive::Face>& faces) {
+/// Whether corners at one position are one vertex of the scene.
+enum class Vertices : bool { apart, shared };
+
+/// Repeated corners of a face stay what they are.
+inline Scene library_scene(const std::vector<naive::Face>& faces, Vertices vertices = Vertices::apart) {
     Scene::Input input;
     input.name = "case";
     input.materials.resize(2);
@@ -20,8 +25,10 @@ inline Scene library_scene(const std::vector<naive::Face>& faces) {
         Scene::Face line;
         line.material = face.emits ? 1 : 0;
         for (const Point& corner : face.corners) {
-            line.corners.push_back(static_cast<VertexId>(input.positions.size()));
-            input.positions.push_back(corner);
+            const auto begin = input.positions.begin(), end = input.positions.end();
+            const auto same = vertices == Vertices::shared ? std::find(begin, end, corner) : end;
+            line.corners.push_back(static_cast<VertexId>(same - begin));
+            if (same == end) input.positions.push_back(corner);
         }
         input.faces.push_back(line);
     }

@@ -12,7 +12,7 @@ namespace {
 TEST(VisibilityAgainstTwin, AdversarialSegments) {
     const Tally tally = run_cases(0, 10000 * length / 10, [](std::uint64_t seed, Tally& sum) {
         const naive::SegmentCase question = naive::segment_case(seed);
-        const Scene scene = library_scene(question.faces);
+        const Scene scene = library_scene(question.faces, seed % 4 < 2 ? Vertices::apart : Vertices::shared);
         const auto candidates = make_candidates(scene, seed % 2 == 0 ? Source::all : Source::cgal);
         const VisibilityOracle oracle(scene, *candidates);
         const auto items = naive_scene(question.faces);

@@ -22,7 +22,7 @@ Placement placement_of(Dice& dice, Family family) {
                                                                                : axis_placement(dice);
     switch (family) {
         case Family::scaled:
-            placement.exponent = dice.pick({-1060, -300, 300, 900});
+            placement.exponent = dice.pick({-1070, -300, 300, 900, 1008});
             break;
         case Family::offset: {
             const std::int64_t far = std::int64_t{1} << 40;
@@ -45,7 +45,7 @@ std::vector<Point> place(Dice& dice, Family family, const Placement& placement, 
     for (const Lattice& corner : loop) points.push_back(placement(corner));
     if (family == Family::ulp) nudge(dice, points, dice.pick({3, 8, 30}));
     if (family == Family::mixed && dice.one_in(2))
-        for (Point& point : points) point[dice.below(3)] *= std::ldexp(1.0, dice.between(-300, 300));
+        for (Point& point : points) point[dice.below(3)] *= std::ldexp(1.0, dice.pick({-900, -300, -60, 60, 300, 900}));
     return points;
 }
 

@@ -23,7 +23,7 @@ enum class Family {
     rotated,   ///< The same rotated by rational rotations.
     oblique,   ///< Slanted elements, the height irrational, polygons an ulp from the top.
     ulp,       ///< One-ulp perturbations of the lattice ones.
-    scaled,    ///< Times 2^300, 2^-300, 2^900, 2^-1060 (subnormal).
+    scaled,    ///< Times 2^300 or 2^-300, near the ends of the range, subnormal.
     offset,    ///< 2^40 away from the origin.
     sliver,    ///< 10^6 times as long as wide.
     fraction,  ///< Corners and ends that are no binary64 numbers.
