@@ -1,6 +1,7 @@
 // SPEC 4 and 5: relation, covers, shared, facing lights and the state of the buffer, against the naive twin.
 #include "differential/run.hpp"
 #include "differential/scenes.hpp"
+#include "naive/dice.hpp"
 
 #include "cob/candidates.hpp"
 #include "cob/classification.hpp"
@@ -106,6 +107,53 @@ TEST(RelationsAgainstTwin, AdversarialBoxes) {
     expect_shares(tally, {{"none", 0.1}, {"vertex", 0.05}, {"edge", 0.05}});
     expect_shares(tally, {{"faces", 0.1}, {"turned away", 0.1}});
     expect_shares(tally, {{"occluded", 0.05}, {"close", 0.1}, {"empty", 0.05}});
+}
+
+/// A box's question with one thing wrong with it, or nearly so.
+naive::BoxQuestion spoilt(naive::BoxQuestion question, naive::Dice& dice) {
+    auto& corners = question.corners;
+    RationalPoint& corner = corners[static_cast<std::size_t>(dice.below(static_cast<int>(corners.size())))];
+    const RationalPoint side = corners[1] - corners[0], other = corners.back() - corners[0];
+    switch (dice.below(6)) {
+        case 0:
+            corner[dice.below(3)] += Rational(1, Integer(1) << dice.pick({1, 60, 1080}));
+            break;
+        case 1:
+            corner = dice.any(std::vector<RationalPoint>(corners));
+            break;
+        case 2:
+            corner = corners[0] + Rational(dice.between(1, 3), 2) * side;
+            break;
+        case 3:
+            question.u[dice.below(3)] += Rational(1, Integer(1) << dice.pick({1, 60, 1080}));
+            break;
+        case 4:
+            question.u = {};
+            break;
+        default:
+            corner = corners[0] + Rational(dice.between(-2, 4), 2) * side + Rational(dice.between(-2, 4), 2) * other;
+    }
+    return question;
+}
+
+// SPEC 4: "corners that are not exactly coplanar and convex, or a u that is not exactly perpendicular to n, are
+// refused".
+TEST(RelationsAgainstTwin, SpoiltBoxesAreRefused) {
+    const Tally tally = run_cases(0, 500 * length, [](std::uint64_t seed, Tally& sum) {
+        naive::Dice dice(seed);
+        for (const naive::BoxQuestion& question : naive::box_case(seed).boxes) {
+            const naive::BoxQuestion asked = spoilt(question, dice);
+            sum.compare(library_box(asked) ? "box" : "refused",
+                        naive::prepare(asked).refused.empty() ? "box" : "refused", "box case " + std::to_string(seed));
+            if (!naive::prepare(asked).refused.empty()) sum.count(naive::prepare(asked).refused);
+        }
+    });
+    expect_no_difference(tally);
+    expect_shares(tally, {{"box", 0.1}, {"refused", 0.1}});
+    expect_shares(tally, {{"the corners are not convex", 0.1},
+                          {"the corners are not coplanar", 0.05},
+                          {"u is not perpendicular to the normal", 0.1},
+                          {"no area or no direction", 0.1}});
 }
 
 }  // namespace

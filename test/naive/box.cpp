@@ -10,11 +10,14 @@ Box prepare(const BoxQuestion& question) {
     Box box;
     box.corners = question.corners;
     const auto& corners = box.corners;
-    const std::size_t count = corners.size();
     box.origin = corners.front();
     box.u = question.u;
-    Loop around;  // Newell's normal of the corners is twice their area, whatever the origin.
-    for (const RationalPoint& corner : corners) around.push_back(corner - box.origin);
+    // From one of the corners, and as in SPEC 2 corners at one position count once.
+    Loop around;
+    for (const RationalPoint& corner : corners)
+        if (around.empty() || around.back() != corner - box.origin) around.push_back(corner - box.origin);
+    if (around.size() > 1 && around.back() == around.front()) around.pop_back();
+    const std::size_t count = around.size();
     box.n = newell(around);
     box.w = cross(box.n, box.u);
     if (box.n == RationalPoint{} || box.u == RationalPoint{}) box.refused = "no area or no direction";
