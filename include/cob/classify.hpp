@@ -31,8 +31,9 @@ public:
 
     std::uint64_t size() const { return static_cast<std::uint64_t>(patches_.size()) << (2 * meshing_.level); }
     Element operator[](std::uint64_t number) const;
-    /// The elements around element `number`, from the outside in, without itself: its root, its patch, and what was
-    /// refined between that and it.
+    /// The elements around element `number`, from the outside in, without itself: its root, the cells of 2, 4, 8, ...
+    /// patches a side around its patch (fewer where the root is cut less that way), its patch, and what was refined
+    /// between that and it.
     void around(std::uint64_t number, std::vector<Element>& ancestors) const;
 
     const Scene& scene() const { return scene_; }
@@ -59,7 +60,7 @@ Element parse_address(const Scene& scene, const Roots& roots, const std::string&
 enum class BufferLevels : std::uint8_t {
     element,  ///< None: from the whole scene.
     polygon,  ///< That of its root, two levels (paper, section 7).
-    tree,     ///< Those of its root, its patch and every refinement between.
+    tree,     ///< All that ElementList::around() gives.
 };
 
 struct ClassifyOptions {

@@ -2,6 +2,7 @@
 
 #include "cob/error.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -22,6 +23,20 @@ std::string path_from_root(const Root& root, Element element) {
         element = above;
     }
     return path;
+}
+
+/// The cell that `halvings` refinements make this patch of; of the shorter way of a quadrilateral, as many as it has.
+Element cell_around(const Root& root, Element patch, int halvings) {
+    if (root.corner_count() == 3) {
+        for (; halvings > 0; --halvings) patch = parent(root, patch);
+        return patch;
+    }
+    const int by_i = std::min<int>(halvings, patch.level_i), by_j = std::min<int>(halvings, patch.level_j);
+    patch.i >>= by_i;
+    patch.j >>= by_j;
+    patch.level_i = static_cast<std::uint8_t>(patch.level_i - by_i);
+    patch.level_j = static_cast<std::uint8_t>(patch.level_j - by_j);
+    return patch;
 }
 
 /// Reads numbers and signs off the front of a text.
@@ -86,8 +101,8 @@ Element ElementList::operator[](std::uint64_t number) const {
 void ElementList::around(std::uint64_t number, std::vector<Element>& ancestors) const {
     ancestors.clear();
     Element element = patches_[number >> (2 * meshing_.level)];
-    const Element root = root_element(element.root);
-    if (!(element == root)) ancestors.push_back(root);
+    for (int halvings = std::max(element.level_i, element.level_j); halvings > 0; --halvings)
+        ancestors.push_back(cell_around(root_of(element), element, halvings));
     for (int shift = 2 * meshing_.level - 2; shift >= 0; shift -= 2) {
         ancestors.push_back(element);
         element = children(root_of(element), element)[number >> shift & 3];

@@ -4,8 +4,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace cob {
 namespace {
+
+/// One refinement, of one way or both, or of a triangle.
+void expect_cell_of(const Root& root, const Element& inner, const Element& outer) {
+    const int by_i = inner.level_i - outer.level_i, by_j = inner.level_j - outer.level_j;
+    EXPECT_EQ(std::max(by_i, by_j), 1);
+    EXPECT_GE(std::min(by_i, by_j), 0);
+    if (root.corner_count() == 3) {
+        EXPECT_EQ(parent(root, inner), outer);
+    } else {
+        EXPECT_EQ(inner.i >> by_i, outer.i);
+        EXPECT_EQ(inner.j >> by_j, outer.j);
+    }
+}
 
 // "Ascending by root, then patches, then depth first": the list that is never stored, against the one written out.
 TEST(ElementList, IsTheOrderWrittenOut) {
@@ -25,6 +40,7 @@ TEST(ElementList, IsTheOrderWrittenOut) {
                     EXPECT_EQ(around.front(), root_element(root.id));
                     for (std::size_t k = around.size() - 1; k > 0 && around[k].level_i > patch.level_i; --k)
                         EXPECT_EQ(parent(root, around[k]), around[k - 1]);
+                    for (std::size_t k = 1; k < around.size(); ++k) expect_cell_of(root, around[k], around[k - 1]);
                     ++number;
                 }
         EXPECT_EQ(number, elements.size());
