@@ -33,6 +33,8 @@ enum class Source : std::uint8_t { all, cgal, embree };
 
 const char* to_text(Source source);
 
+/// False only for Source::embree where it was built without.
+bool is_available(Source source);
 /// Throws InputError for Source::embree where it was built without.
 std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source source);
 

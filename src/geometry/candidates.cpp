@@ -43,6 +43,15 @@ const char* to_text(Source source) {
     return "";
 }
 
+bool is_available(Source source) {
+#ifdef COB_HAS_EMBREE
+    constexpr bool embree = true;
+#else
+    constexpr bool embree = false;
+#endif
+    return embree || source != Source::embree;
+}
+
 std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source source) {
     switch (source) {
         case Source::all:
@@ -50,7 +59,11 @@ std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source sour
         case Source::cgal:
             return make_cgal_candidates(scene);
         case Source::embree:
+#ifdef COB_HAS_EMBREE
+            return make_embree_candidates(scene);
+#else
             break;
+#endif
     }
     throw InputError("this program was built without Embree", {"", 0, "", "choose another source of candidates"});
 }

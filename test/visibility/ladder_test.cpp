@@ -198,7 +198,7 @@ void check(const Row& row, Map map, const char* how, Source source) {
 // "open segment against the union of all closed pieces": every row, and its images under maps that change nothing.
 TEST(VisibilityLadder, EveryRowWhicheverWayItIsAsked) {
     for (const Row& row : rows)
-        for (const Source source : {Source::all, Source::cgal}) {
+        for (const Source source : sources()) {
             check(
                 row, [](Point p) { return p; }, "as it is", source);
             check(

@@ -32,6 +32,14 @@ inline Scene scene_of(const std::vector<Loop>& loops, bool skip_invalid = false)
     return Scene::build(std::move(input), {skip_invalid});
 }
 
+/// Every source of candidates that this build has.
+inline std::vector<Source> sources() {
+    std::vector<Source> all;
+    for (const Source source : {Source::all, Source::cgal, Source::embree})
+        if (is_available(source)) all.push_back(source);
+    return all;
+}
+
 /// A scene with an oracle over it.
 struct Asked {
     explicit Asked(const std::vector<Loop>& loops, Source source = Source::cgal, bool skip_invalid = false)

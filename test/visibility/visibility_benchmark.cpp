@@ -1,6 +1,8 @@
 // How fast segments are answered, beside CGAL's tree over EPICK that counts intersected triangles, and beside the same
 // code with fractions as its only fallback. What is wrong is printed before anything is timed.
 //
+// Where Embree is installed, the same with Embree as the tree, and Embree's own triangles in robust mode.
+//
 // Names: subject / ends of the segments / triangles. Counters: segments per second, share of the signs that each
 // stage decided, bytes per polygon beside the scene.
 #include <CGAL/AABB_traits.h>
@@ -12,6 +14,10 @@
 #include "visibility/benchmark_scenes.hpp"
 
 #include <benchmark/benchmark.h>
+
+#ifdef COB_HAS_EMBREE
+#include <embree3/rtcore.h>
+#endif
 
 #include <cstdio>
 #include <map>
@@ -32,15 +38,18 @@ struct Subject {
     explicit Subject(int triangles) : scene(benchmark_scene(triangles)) {
         for (const Ends ends : {Ends::free_space, Ends::surface, Ends::vertices})
             segments[ends] = benchmark_segments(scene, ends, segment_count);
-        candidates = make_candidates(scene, Source::cgal);
         pieces = std::make_unique<PieceTable>(scene);
-        oracle = std::make_unique<VisibilityOracle>(scene, *candidates);
+        for (const Source source : {Source::cgal, Source::embree}) {
+            if (!is_available(source)) continue;
+            candidates[source] = make_candidates(scene, source);
+            oracle[source] = std::make_unique<VisibilityOracle>(scene, *candidates[source]);
+        }
     }
     Scene scene;
     std::map<Ends, std::vector<Segment>> segments;
-    std::unique_ptr<CandidateSource> candidates;
     std::unique_ptr<PieceTable> pieces;
-    std::unique_ptr<VisibilityOracle> oracle;
+    std::map<Source, std::unique_ptr<CandidateSource>> candidates;
+    std::map<Source, std::unique_ptr<VisibilityOracle>> oracle;
 };
 
 Subject& subject(int triangles) {
@@ -69,23 +78,24 @@ void run(benchmark::State& state, const std::vector<Segment>& segments, Ask ask)
     }
 }
 
-void oracle_benchmark(benchmark::State& state, int triangles, Ends ends) {
+void oracle_benchmark(benchmark::State& state, int triangles, Ends ends, Source source) {
     Subject& s = subject(triangles);
+    const VisibilityOracle& oracle = *s.oracle[source];
     PredicateCounters counters;
-    run(state, s.segments[ends], [&](const Segment& segment) { return (*s.oracle)(segment, &counters); });
+    run(state, s.segments[ends], [&](const Segment& segment) { return oracle(segment, &counters); });
     report(state, counters);
-    state.counters["bytes/polygon"] =
-        static_cast<double>(s.oracle->memory() + s.candidates->memory()) / static_cast<double>(s.scene.polygon_count());
+    state.counters["bytes/polygon"] = static_cast<double>(oracle.memory() + s.candidates[source]->memory()) /
+                                      static_cast<double>(s.scene.polygon_count());
 }
 
 /// `hints`: with the pieces that the ends lie on, else without, as textbook code has it.
-void fractions_benchmark(benchmark::State& state, int triangles, Ends ends, bool hints) {
+void fractions_benchmark(benchmark::State& state, int triangles, Ends ends, Source source, bool hints) {
     Subject& s = subject(triangles);
     PredicateCounters counters;
     run(state, s.segments[ends], [&](Segment segment) {
         if (!hints) segment.from_piece = segment.to_piece = -1;
         const ExactSigns signs(*s.pieces, segment, {&counters, Fallback::fractions});
-        return visibility_along(signs, *s.candidates, segment);
+        return visibility_along(signs, *s.candidates[source], segment);
     });
     report(state, counters);
 }
@@ -110,14 +120,82 @@ void cgal_benchmark(benchmark::State& state, int triangles, Ends ends) {
     state.SetItemsProcessed(state.iterations());
 }
 
-/// Every tenth segment against fractions alone; prints and returns how many answers are wrong.
+#ifdef COB_HAS_EMBREE
+/// Embree as everybody uses it: triangles in binary32, robust, both ends moved in by 1e-4 of the segment.
+class EmbreeTriangles {
+public:
+    explicit EmbreeTriangles(const Scene& scene) : device_(rtcNewDevice(nullptr)), tree_(rtcNewScene(device_)) {
+        const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        float* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), scene.positions().size()));
+        for (const Point& p : scene.positions())
+            for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(p[axis]);
+        unsigned* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), scene.pieces().size()));
+        for (const Piece& piece : scene.pieces())
+            for (int k = 0; k < 3; ++k) *corners++ = static_cast<unsigned>(scene.corners(piece)[k]);
+        rtcCommitGeometry(geometry);
+        rtcSetSceneFlags(tree_, RTC_SCENE_FLAG_ROBUST);
+        rtcAttachGeometry(tree_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(tree_);
+    }
+    ~EmbreeTriangles() {
+        rtcReleaseScene(tree_);
+        rtcReleaseDevice(device_);
+    }
+    EmbreeTriangles(const EmbreeTriangles&) = delete;
+    EmbreeTriangles& operator=(const EmbreeTriangles&) = delete;
+
+    bool hidden(const Segment& segment) const {
+        const Point &x = segment.from.nearest(), &y = segment.to.nearest();
+        RTCRay ray{};
+        ray.org_x = static_cast<float>(x.x);
+        ray.org_y = static_cast<float>(x.y);
+        ray.org_z = static_cast<float>(x.z);
+        ray.dir_x = static_cast<float>(y.x - x.x);
+        ray.dir_y = static_cast<float>(y.y - x.y);
+        ray.dir_z = static_cast<float>(y.z - x.z);
+        ray.tnear = 1e-4f;
+        ray.tfar = 1 - 1e-4f;
+        ray.mask = ~0u;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcOccluded1(tree_, &context, &ray);
+        return ray.tfar < 0;
+    }
+
+private:
+    RTCDevice device_;
+    RTCScene tree_;
+};
+
+void embree_benchmark(benchmark::State& state, int triangles, Ends ends) {
+    Subject& s = subject(triangles);
+    const EmbreeTriangles embree(s.scene);
+    run(state, s.segments[ends], [&](const Segment& segment) { return embree.hidden(segment); });
+    state.SetItemsProcessed(state.iterations());
+    int missed = 0, invented = 0;
+    for (const Segment& segment : s.segments[ends]) {
+        const Visibility answer = (*s.oracle[Source::cgal])(segment);
+        const bool hidden = embree.hidden(segment);
+        missed += answer == Visibility::blocked && !hidden;
+        invented += answer == Visibility::clear && hidden;
+    }
+    state.counters["blocked missed"] = missed;
+    state.counters["clear hidden"] = invented;
+}
+#endif
+
+/// Every twentieth segment against fractions alone; prints and returns how many answers are wrong.
 int wrong_answers(int triangles, Ends ends) {
     Subject& s = subject(triangles);
     int wrong = 0, asked = 0;
     std::map<Visibility, int> answers;
     for (std::size_t k = 0; k < s.segments[ends].size(); k += 20) {
-        const Visibility answer = (*s.oracle)(s.segments[ends][k]);
-        wrong += answer != (*s.oracle)(s.segments[ends][k], Arithmetic::rational).visibility;
+        const Segment& segment = s.segments[ends][k];
+        const Visibility answer = (*s.oracle[Source::cgal])(segment, Arithmetic::rational).visibility;
+        for (const auto& [source, oracle] : s.oracle) wrong += (*oracle)(segment) != answer;
         ++answers[answer];
         ++asked;
     }
@@ -131,6 +209,7 @@ int wrong_answers(int triangles, Ends ends) {
 }  // namespace cob::test
 
 int main(int argc, char** argv) {
+    using namespace cob;
     using namespace cob::test;
     benchmark::Initialize(&argc, argv);
     int wrong = 0;
@@ -138,14 +217,22 @@ int main(int argc, char** argv) {
         for (const Ends ends : {Ends::free_space, Ends::surface, Ends::vertices}) {
             wrong += wrong_answers(triangles, ends);
             const std::string name = std::string("/") + to_text(ends) + "/" + std::to_string(triangles);
-            const auto add = [&name](const char* subject, auto function) {
+            const auto add = [&name](const std::string& subject, auto function) {
                 benchmark::RegisterBenchmark((subject + name).c_str(), function);
             };
-            add("cob", [=](benchmark::State& state) { oracle_benchmark(state, triangles, ends); });
-            add("fractions only, no hints",
-                [=](benchmark::State& state) { fractions_benchmark(state, triangles, ends, false); });
-            add("fractions only", [=](benchmark::State& state) { fractions_benchmark(state, triangles, ends, true); });
-            add("CGAL EPICK count", [=](benchmark::State& state) { cgal_benchmark(state, triangles, ends); });
+            for (const Source source : {Source::cgal, Source::embree}) {
+                if (!is_available(source)) continue;
+                const std::string tree = std::string(" over ") + cob::to_text(source);
+                add("cob" + tree, [=](auto& state) { oracle_benchmark(state, triangles, ends, source); });
+                add("fractions only" + tree,
+                    [=](auto& state) { fractions_benchmark(state, triangles, ends, source, true); });
+                add("fractions only, no hints" + tree,
+                    [=](auto& state) { fractions_benchmark(state, triangles, ends, source, false); });
+            }
+#ifdef COB_HAS_EMBREE
+            add("Embree's triangles", [=](auto& state) { embree_benchmark(state, triangles, ends); });
+#endif
+            add("CGAL EPICK count", [=](auto& state) { cgal_benchmark(state, triangles, ends); });
         }
     benchmark::RunSpecifiedBenchmarks();
     return wrong == 0 ? 0 : 1;
