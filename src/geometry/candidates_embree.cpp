@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -154,6 +155,13 @@ private:
 
     void build() const {
         if (scene_.pieces().empty()) return;
+        // On a thread of its own: Embree builds with subnormal numbers flushed to zero, and where it is the first to
+        // use oneTBB in a thread, that thread's tasks would work so ever after; exact decisions cannot bear that. Nor
+        // can the thread, while it waits, be given tasks that wait for this tree.
+        std::async(std::launch::async, [this] { build_here(); }).get();
+    }
+
+    void build_here() const {
         Bounds all;
         for (const Piece& piece : scene_.pieces()) all.add(bounds_of(scene_, scene_.corners(piece)));
         normalisation_.emplace(all);

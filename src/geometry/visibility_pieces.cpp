@@ -60,7 +60,6 @@ ApproximatePlane approximate_plane(const Point& origin, const Point& first, cons
     const Point absolute_q{std::abs(q.x), std::abs(q.y), std::abs(q.z)};
     plane.origin = origin;
     plane.normal = cross(p, q);
-    plane.size = sum(plane.normal);
     const double products = absolute_p.y * absolute_q.z + absolute_p.z * absolute_q.y + absolute_p.z * absolute_q.x +
                             absolute_p.x * absolute_q.z + absolute_p.x * absolute_q.y + absolute_p.y * absolute_q.x;
     // Each coordinate of the normal has two products with 4 roundings; its product with r adds 5 more (r's own, the
@@ -75,12 +74,20 @@ ApproximatePlane approximate_plane(const Point& origin, const Point& first, cons
 }  // namespace
 
 PieceTable::PieceTable(const Scene& scene) : scene_(&scene) {
-    planes_.reserve(scene.pieces().size());
-    turn_.reserve(scene.pieces().size());
-    for (PieceId id = 0; id < static_cast<PieceId>(scene.pieces().size()); ++id) {
-        turn_.push_back(strict_turn(scene, scene.piece(id)));
+    const std::size_t count = scene.pieces().size();
+    planes_.reserve(count);
+    triangles_.reserve(count);
+    turn_.reserve(count);
+    for (PieceId id = 0; id < static_cast<PieceId>(count); ++id) {
+        const Piece& piece = scene.piece(id);
+        turn_.push_back(strict_turn(scene, piece));
         const PiecePlane p = plane(id);
-        planes_.push_back(approximate_plane(scene.position(p.origin), scene.position(p.first), scene.position(p.last)));
+        const Point &first = scene.position(p.first), &last = scene.position(p.last);
+        ApproximatePlane approximate = approximate_plane(scene.position(p.origin), first, last);
+        approximate.group = scene.polygon(piece.polygon).planar ? piece.polygon : scene.polygon_count() + id;
+        approximate.corner_count = piece.corner_count;
+        planes_.push_back(approximate);
+        triangles_.push_back({first, last});
     }
 }
 
@@ -90,15 +97,9 @@ PiecePlane PieceTable::plane(PieceId piece) const {
     return {corner(corners, turn), corner(corners, turn + 1), corner(corners, turn + corners.size() - 1)};
 }
 
-bool PieceTable::same_plane(PieceId a, PieceId b) const {
-    if (a == b) return true;
-    if (a < 0 || b < 0) return false;
-    const PolygonId polygon_a = scene_->piece(a).polygon;
-    return polygon_a == scene_->piece(b).polygon && scene_->polygon(polygon_a).planar;
-}
-
 std::size_t PieceTable::memory() const {
-    return planes_.capacity() * sizeof(ApproximatePlane) + turn_.capacity() * sizeof(std::uint32_t);
+    return planes_.capacity() * sizeof(ApproximatePlane) + triangles_.capacity() * sizeof(triangles_[0]) +
+           turn_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace cob

@@ -5,6 +5,8 @@
 
 #include "cob/scene.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,13 +18,18 @@ struct PiecePlane {
     VertexId origin = -1, first = -1, last = -1;
 };
 
-/// The plane in binary64: a point whose difference from the origin is r lies where normal . r says, if that is
-/// beyond error * (the greatest coordinate of r) + size * (how far the point is off in each coordinate).
-struct ApproximatePlane {
+/// The plane in binary64, in one cache line: a point whose difference from the origin is r lies where normal . r
+/// says, if that is beyond error * (the greatest coordinate of r) + size() * (how far the point is off in each
+/// coordinate).
+struct alignas(64) ApproximatePlane {
     Point normal;
-    Point origin;
+    Point origin;      ///< A corner of the piece, the first of a triangle.
     double error = 0;  ///< Infinite where binary64 cannot hold the normal.
-    double size = 0;   ///< Sum of the normal's coordinates' absolute values.
+    /// Pieces of one number are known to lie in one plane: those of one planar polygon.
+    std::int32_t group = -1;
+    std::uint32_t corner_count = 0;
+
+    double size() const { return std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z); }
 };
 
 class PieceTable {
@@ -32,8 +39,8 @@ public:
     const Scene& scene() const { return *scene_; }
     PiecePlane plane(PieceId piece) const;
     const ApproximatePlane& approximate(PieceId piece) const { return planes_[static_cast<std::size_t>(piece)]; }
-    /// Known to lie in one plane: pieces of one planar polygon.
-    bool same_plane(PieceId a, PieceId b) const;
+    /// The second and third corner of a piece that is a triangle.
+    const std::array<Point, 2>& triangle(PieceId piece) const { return triangles_[static_cast<std::size_t>(piece)]; }
     /// The coordinate axis along which the piece is seen (SPEC 2): its normal is not zero there.
     int view_axis(PieceId piece) const { return polygon(piece).view.axis; }
     /// Sign of the normal along that axis.
@@ -48,7 +55,8 @@ private:
 
     const Scene* scene_;
     std::vector<ApproximatePlane> planes_;
-    std::vector<std::uint32_t> turn_;  ///< The corner of every piece that is the plane's origin.
+    std::vector<std::array<Point, 2>> triangles_;  ///< Beside the scene's positions, to be reached in one step.
+    std::vector<std::uint32_t> turn_;              ///< The corner of every piece that is the plane's origin.
 };
 
 }  // namespace cob

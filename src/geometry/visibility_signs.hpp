@@ -21,6 +21,9 @@ struct Ray {
     friend Ray operator-(const Ray& ray) { return {ray.to, ray.from}; }
 };
 
+/// What is certain about a segment and a piece without exact arithmetic.
+enum class Certain : std::uint8_t { unknown, missed, crossed_inside };
+
 /// Exact arithmetic: filter, integers, fractions.
 struct ExactArithmetic {
     SignContext context;
@@ -45,6 +48,8 @@ public:
     const PieceTable& pieces() const { return *pieces_; }
     const Scene& scene() const { return pieces_->scene(); }
 
+    /// Whatever can be said at once; there is always `unknown`.
+    Certain at_once(PieceId) const { return Certain::unknown; }
     /// On which side of the piece's plane an end lies; positive: the visible one.
     Sign end_side(PieceId piece, End end) const { return arithmetic_.sign(to_plane(piece, end)); }
     /// det(d, a - x, b - x): how the line of the segment passes the line from a to b.
@@ -117,8 +122,8 @@ class ExactSigns : public SegmentSigns<ExactArithmetic> {
 public:
     ExactSigns(const PieceTable& pieces, const Segment& segment, const SignContext& context)
         : Base(pieces, segment, ExactArithmetic{context}),
-          from_piece_(segment.from_piece),
-          to_piece_(segment.to_piece),
+          from_group_(segment.from_piece < 0 ? -1 : pieces.approximate(segment.from_piece).group),
+          to_group_(segment.to_piece < 0 ? -1 : pieces.approximate(segment.to_piece).group),
           d_(to_.nearest() - from_.nearest()),
           from_rest_(rest(from_)),
           to_rest_(rest(to_)) {
@@ -128,16 +133,32 @@ public:
         if (!in_range) d_size_ = std::numeric_limits<double>::quiet_NaN();
     }
 
-    Sign end_side(PieceId piece, End end) const {
-        if (pieces_->same_plane(piece, end == End::from ? from_piece_ : to_piece_)) return Sign::zero;
+    /// The filters alone, for the bulk of the pieces that a segment passes.
+    Certain at_once(PieceId piece) const {
         const ApproximatePlane& plane = pieces_->approximate(piece);
-        const Point r = point(end).nearest() - plane.origin;
-        const double off = end == End::from ? from_rest_ : to_rest_;
-        const double value = plane.normal.x * r.x + plane.normal.y * r.y + plane.normal.z * r.z;
-        const double bound = plane.error * (greatest(r) + off) + plane.size * off + 1e-300;
-        if (std::abs(value) > bound) {  // false where anything overflowed
+        // 1. An end known to lie in the plane: missed if the other does not.
+        if (plane.group == from_group_ || plane.group == to_group_) {
+            const bool other = plane.group == from_group_;
+            if (plane.group == (other ? to_group_ : from_group_)) return Certain::unknown;
+            return filtered_end_side(plane, other ? End::to : End::from) != Sign::zero ? count(1, Certain::missed)
+                                                                                       : Certain::unknown;
+        }
+        // 2. Both ends on one side.
+        const Sign begins = filtered_end_side(plane, End::from), ends = filtered_end_side(plane, End::to);
+        if (begins == Sign::zero || ends == Sign::zero) return Certain::unknown;
+        if (begins == ends) return count(2, Certain::missed);
+        // 3. The line of the segment passes every side on the inner hand, or some side on the outer.
+        if (plane.corner_count == 3) return triangle_crossed(plane, pieces_->triangle(piece), begins);
+        return Certain::unknown;
+    }
+
+    Sign end_side(PieceId piece, End end) const {
+        const ApproximatePlane& plane = pieces_->approximate(piece);
+        if (plane.group == (end == End::from ? from_group_ : to_group_)) return Sign::zero;
+        const Sign sign = filtered_end_side(plane, end);
+        if (sign != Sign::zero) {
             ++arithmetic_.context.counters->filtered;
-            return value > 0 ? Sign::positive : Sign::negative;
+            return sign;
         }
         if (is_corner(piece, end)) return Sign::zero;
         return exact_sign_of(to_plane(piece, end), arithmetic_.context);
@@ -145,18 +166,8 @@ public:
 
     Sign line_side(VertexId a, VertexId b) const {
         const Point r = position(a) - from_.nearest(), s = position(b) - from_.nearest();
-        const double value =
-            d_.x * (r.y * s.z - r.z * s.y) + d_.y * (r.z * s.x - r.x * s.z) + d_.z * (r.x * s.y - r.y * s.x);
-        const double r_size = greatest(r), s_size = greatest(s);
-        // As in the general filter, with the greatest entries of rows instead of columns.
-        double bound = 5.5e-15 * d_size_ * r_size * s_size + 1e-300;
-        if (from_rest_ > 0 || to_rest_ > 0) {
-            const double off = from_rest_ + to_rest_, rows = (r_size + off) * (s_size + off);
-            bound += 6.1 * off * (rows + (d_size_ + off) * (r_size + s_size + off));
-        }
-        // Below 1e-97 something may have underflowed unseen.
-        const bool in_range = r_size > 1e-97 && s_size > 1e-97 && r_size < 1e102 && s_size < 1e102;
-        if (in_range && std::abs(value) > bound) {
+        const double value = dot(cross(d_, r), s), bound = line_bound(std::max(greatest(r), greatest(s)));
+        if (std::abs(value) > bound) {
             ++arithmetic_.context.counters->filtered;
             return value > 0 ? Sign::positive : Sign::negative;
         }
@@ -170,6 +181,47 @@ private:
         if (!point.inexact()) return 0;
         return 2 * greatest(point.inexact()->rest()) + std::numeric_limits<double>::denorm_min();
     }
+    Certain count(unsigned signs, Certain certain) const {
+        arithmetic_.context.counters->filtered += signs;
+        return certain;
+    }
+
+    /// Zero: not certain.
+    Sign filtered_end_side(const ApproximatePlane& plane, End end) const {
+        const Point r = point(end).nearest() - plane.origin;
+        const double off = end == End::from ? from_rest_ : to_rest_;
+        double bound = plane.error * (greatest(r) + off) + 1e-300;
+        if (off > 0) bound += plane.size() * off;
+        const double value = dot(plane.normal, r);
+        return value > bound ? Sign::positive : value < -bound ? Sign::negative : Sign::zero;  // also with NaN
+    }
+
+    /// The bound of a determinant of d and two differences from x, each at most `size` in every coordinate: as the
+    /// general filter's, with the greatest entries of rows instead of columns. NaN where nothing is certain.
+    double line_bound(double size) const {
+        const bool in_range = size > 1e-97 && size < 1e102;  // below, something may have underflowed unseen
+        if (!in_range) return std::numeric_limits<double>::quiet_NaN();
+        double bound = 5.5e-15 * d_size_ * size * size + 1e-300;
+        if (from_rest_ > 0 || to_rest_ > 0) {
+            const double off = from_rest_ + to_rest_, longest = size + off;
+            bound += 6.1 * off * longest * (longest + 2 * (d_size_ + off));
+        }
+        return bound;
+    }
+
+    Certain triangle_crossed(const ApproximatePlane& plane, const std::array<Point, 2>& corners, Sign begins) const {
+        const Point &x = from_.nearest(), a = plane.origin - x, b = corners[0] - x, c = corners[1] - x;
+        const double bound = line_bound(std::max({greatest(a), greatest(b), greatest(c)}));
+        const Point da = cross(d_, a), db = cross(d_, b);
+        // Inside where all have the sign of the far end.
+        const double inward = begins == Sign::negative ? 1 : -1;
+        const double ab = inward * dot(da, b), bc = inward * dot(db, c), ca = -inward * dot(da, c);
+        const double least = std::min({ab, bc, ca});
+        if (least < -bound) return count(3, Certain::missed);
+        if (least > bound) return count(5, Certain::crossed_inside);
+        return Certain::unknown;
+    }
+
     bool is_corner(PieceId piece, End end) const {
         if (point(end).inexact()) return false;
         for (const VertexId corner : scene().corners(scene().piece(piece)))
@@ -177,7 +229,7 @@ private:
         return false;
     }
 
-    PieceId from_piece_, to_piece_;
+    std::int32_t from_group_, to_group_;
     Point d_;
     double d_size_;
     double from_rest_, to_rest_;

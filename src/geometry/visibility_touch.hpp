@@ -98,6 +98,14 @@ bool meets_in_plane(const Signs& signs, PieceId id) {
 /// The open segment against one piece.
 template <class Signs>
 Touch touch(const Signs& signs, PieceId id) {
+    switch (signs.at_once(id)) {
+        case Certain::missed:
+            return {};
+        case Certain::crossed_inside:
+            return {Touch::Kind::inside, -1, signs.end_side(id, End::from)};
+        case Certain::unknown:
+            break;
+    }
     const Sign from = signs.end_side(id, End::from);
     const Sign to = signs.end_side(id, End::to);
     if (from == Sign::zero && to == Sign::zero) {
