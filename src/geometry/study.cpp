@@ -35,7 +35,7 @@ double tolerance(const Scene& scene, PolygonId polygon, const Box::Prepared& box
 
 Interval enclosure(const Rational& value) {
     const double nearest = to_nearest(value);
-    if (Rational(nearest) == value) return nearest;
+    if (std::isfinite(nearest) && Rational(nearest) == value) return nearest;
     return {std::nextafter(nearest, -INFINITY), std::nextafter(nearest, INFINITY)};
 }
 
