@@ -28,7 +28,7 @@ const std::map<std::string, BufferLevels> levels{
 const std::map<std::string, BufferMode> modes{{"strict", BufferMode::strict}, {"inherit", BufferMode::inherit}};
 
 struct Arguments {
-    std::string scene, folder, checkpoint, view;
+    std::string scene, folder, checkpoint, view, beside;
     std::string refine = "both", strength = "exitance", buffer_levels = "tree", mode = "strict";
     std::string emission = "exitance", margin = "0.125", height = "0.25";
     bool skip_invalid = false;
@@ -113,6 +113,9 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
     write_file(base + "picture.png", report::encode_png(pictures.plain));
     write_file(base + "mesh.png", report::encode_png(pictures.mesh));
     write_file(base + "states.png", report::encode_png(pictures.states));
+    if (!arguments.beside.empty())
+        write_file(base + "beside.png",
+                   report::encode_png(report::beside(report::decode_png(arguments.beside), pictures.plain)));
     write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
     write_file(base + "exitance.csv", report::solution_csv(solver));
@@ -268,6 +271,10 @@ void add_render(CLI::App& app) {
         ->group("Picture");
     command->add_option("--exposure", a.picture.exposure, "Linear light for 1 W/m2; 0: from the picture")
         ->check(CLI::NonNegativeNumber)
+        ->group("Picture");
+    command
+        ->add_option("--beside", a.beside, "Another picture: beside.png shows it to the left of this run's picture.png")
+        ->check(CLI::ExistingFile)
         ->group("Picture");
     command->add_flag("--ambient", a.picture.ambient, "Add the ambient term, for display only")->group("Picture");
     command->callback([arguments] { run(*arguments); });

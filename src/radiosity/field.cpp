@@ -8,24 +8,6 @@ namespace cob {
 
 using namespace radiosity;
 
-void RadiositySolver::State::find_middles() const {
-    if (middles_of_ == mesh->nodes().size()) return;
-    middles_.resize(mesh->nodes().size());
-    for (const auto& of_patch : leaves)
-        for (const NodeId leaf : of_patch) {
-            auto& middles = middles_[static_cast<std::size_t>(leaf)];
-            middles.fill(-1);
-            for (int side = 0; side < mesh->node(leaf).corner_count(); ++side)
-                middles[static_cast<std::size_t>(side)] = mesh->middle_of_side(leaf, side);
-        }
-    middles_of_ = mesh->nodes().size();
-}
-
-const std::array<MeshVertexId, 4>& RadiositySolver::State::middles(NodeId leaf) const {
-    find_middles();
-    return middles_[static_cast<std::size_t>(leaf)];
-}
-
 std::vector<Rgb> RadiositySolver::State::vertex_exitance() const {
     struct Mean {
         Rgb sum{};
@@ -46,7 +28,7 @@ std::vector<Rgb> RadiositySolver::State::vertex_exitance() const {
             for (const MeshVertexId v : mesh->node(leaf).corners)
                 if (v >= 0) means[static_cast<std::size_t>(v)].add(m, 1);
             // A T-vertex has half a turn of the coarser element around it.
-            for (const MeshVertexId v : middles(leaf))
+            for (const MeshVertexId v : mesh->node(leaf).middles)
                 if (v >= 0) means[static_cast<std::size_t>(v)].add(m, 2);
         }
     std::vector<Rgb> result(open.size());
@@ -59,7 +41,7 @@ std::vector<Rgb> RadiositySolver::State::vertex_exitance() const {
 
 std::vector<std::array<std::int32_t, 2>> RadiositySolver::outline(std::int32_t leaf) const {
     const Node& node = state_->mesh->node(leaf);
-    const std::array<MeshVertexId, 4>& middles = state_->middles(leaf);
+    const std::array<MeshVertexId, 4>& middles = node.middles;
     std::vector<std::array<std::int32_t, 2>> result;
     for (int k = 0; k < node.corner_count(); ++k) {
         result.push_back({node.corners[static_cast<std::size_t>(k)], 2 * k});

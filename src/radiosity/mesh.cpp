@@ -75,6 +75,7 @@ Mesh::Mesh(const Scene& scene, const Roots& roots, double patch_edge)
     patch_count_ = static_cast<NodeId>(nodes_.size());
     first_patch_.push_back(patch_count_);
     leaf_count_ = nodes_.size();
+    for (NodeId patch = 0; patch < patch_count_; ++patch) find_middles(patch);
 }
 
 std::pair<NodeId, NodeId> Mesh::patches_of(RootId root) const {
@@ -147,8 +148,7 @@ MeshVertexId Mesh::vertex(RootId id, Lattice at) {
     return place->second;
 }
 
-MeshVertexId Mesh::middle_of_side(NodeId id, int side) const {
-    const Node& n = node(id);
+MeshVertexId Mesh::middle_of_side(const Node& n, int side) const {
     const std::array<Lattice, 4> at = lattice_corners(roots_[n.element.root], n.element);
     const auto a = static_cast<std::size_t>(side), b = static_cast<std::size_t>((side + 1) % n.corner_count());
     const auto half = [](std::uint32_t x, std::uint32_t y) {
@@ -211,12 +211,33 @@ void Mesh::refine(NodeId leaf, std::vector<NodeId>& split_nodes) {
     split_nodes.push_back(leaf);
 }
 
+void Mesh::find_middles(NodeId id) {
+    Node& n = nodes_[static_cast<std::size_t>(id)];
+    for (int side = 0; side < n.corner_count(); ++side)
+        n.middles[static_cast<std::size_t>(side)] = middle_of_side(n, side);
+}
+
 void Mesh::split(NodeId leaf) {
     const Node n = node(leaf);
     const auto first = static_cast<NodeId>(nodes_.size());
     for (const Element& child : children(roots_[n.element.root], n.element))
         add_node(child, leaf, n.patch, static_cast<std::uint8_t>(n.level + 1));
     nodes_[static_cast<std::size_t>(leaf)].first_child = first;
+
+    // T-vertices: of equal neighbours that are leaves still, and of the children along roots cut less finely.
+    const int count = n.corner_count();
+    for (int k = 0; k < count; ++k) {
+        const MeshVertexId a = n.corners[static_cast<std::size_t>(k)];
+        const MeshVertexId b = n.corners[static_cast<std::size_t>((k + 1) % count)];
+        const NodeId other = neighbour(a, b, leaf);
+        if (other < 0) continue;
+        Node& beyond = nodes_[static_cast<std::size_t>(other)];
+        for (int side = 0; side < beyond.corner_count(); ++side)
+            if (beyond.corners[static_cast<std::size_t>(side)] == b &&
+                beyond.corners[static_cast<std::size_t>((side + 1) % beyond.corner_count())] == a)
+                beyond.middles[static_cast<std::size_t>(side)] = middle_of_side(n, k);
+    }
+    for (NodeId child = first; child < first + 4; ++child) find_middles(child);
     leaf_count_ += 3;
 }
 

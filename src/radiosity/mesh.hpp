@@ -23,6 +23,8 @@ struct Node {
     NodeId patch = -1;                                    ///< The patch that it is or lies in.
     std::uint8_t level = 0;                               ///< Refinements below the patch.
     std::array<MeshVertexId, 4> corners{-1, -1, -1, -1};  ///< In order; the fourth -1 for a triangle.
+    /// T-vertices: the vertex in the middle of the side after each corner, where a neighbour is finer; else -1.
+    std::array<MeshVertexId, 4> middles{-1, -1, -1, -1};
 
     bool is_leaf() const { return first_child < 0; }
     int corner_count() const { return corners[3] < 0 ? 3 : 4; }
@@ -63,8 +65,6 @@ public:
     void refine(NodeId leaf, std::vector<NodeId>& split);
     double longest_side(NodeId id) const;  ///< In units.
     double area(NodeId id) const;          ///< In square units.
-    /// The vertex in the middle of a side, where a neighbour is finer (a T-vertex); else -1.
-    MeshVertexId middle_of_side(NodeId id, int side) const;
     /// The leaf of a root at bilinear (or, of a triangle, barycentric) coordinates (u, v) in [0, 1].
     NodeId leaf_at(RootId root, double u, double v) const;
     std::size_t memory() const;
@@ -92,7 +92,9 @@ private:
     Key side_key(PolygonId polygon, VertexId a, VertexId b, std::uint32_t along) const;
     MeshVertexId vertex(RootId root, Lattice at);
     NodeId add_node(const Element& element, NodeId parent, NodeId patch, std::uint8_t level);
+    MeshVertexId middle_of_side(const Node& node, int side) const;
     NodeId neighbour(MeshVertexId a, MeshVertexId b, NodeId than) const;
+    void find_middles(NodeId id);
     void split(NodeId leaf);
 
     const Scene& scene_;

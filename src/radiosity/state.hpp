@@ -126,13 +126,6 @@ private:
     void count(const radiosity::TransportScratch& scratch, RadiosityCounters& into) const;
 
     tbb::task_arena arena_;
-    mutable std::vector<std::array<radiosity::MeshVertexId, 4>> middles_;  ///< T-vertices by node, for nodes so far.
-    void find_middles() const;
-    mutable std::size_t middles_of_ = 0;
-
-public:
-    /// T-vertices on the sides of a leaf.
-    const std::array<radiosity::MeshVertexId, 4>& middles(radiosity::NodeId leaf) const;
 };
 
 /// Bit access to Cell::sights.

@@ -203,7 +203,7 @@ TEST(Mesh, NeighboursDifferByOneLevelAtMost) {
     int hanging = 0;
     for (const auto leaf : mesh.leaves())
         for (int side = 0; side < mesh.node(leaf).corner_count(); ++side) {
-            const auto middle = mesh.middle_of_side(leaf, side);
+            const auto middle = mesh.node(leaf).middles[static_cast<std::size_t>(side)];
             if (middle < 0) continue;
             ++hanging;
             // A finer neighbour's corner is in the middle; none at a quarter: no vertex stands between.
