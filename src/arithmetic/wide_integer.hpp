@@ -81,6 +81,21 @@ public:
         if (mpz_sgn(z) < 0) negate();
     }
 
+    /// Of a value that is not negative: its bits [from, from + count), count <= 64; bits beyond the top are 0.
+    std::uint64_t bits_from(int from, int count) const {
+        if (count == 0) return 0;
+        const int whole = from / 64, part = from % 64;
+        std::uint64_t found = whole < Limbs ? limbs_[whole] >> part : 0;
+        if (part != 0 && whole + 1 < Limbs) found |= limbs_[whole + 1] << (64 - part);
+        return count == 64 ? found : found & ((std::uint64_t{1} << count) - 1);
+    }
+    /// Of a value that is not negative: it is less than 2^result.
+    int bit_length() const {
+        for (int i = Limbs - 1; i >= 0; --i)
+            if (limbs_[i] != 0) return 64 * (i + 1) - __builtin_clzll(limbs_[i]);
+        return 0;
+    }
+
     Sign sign() const {
         if (limbs_[Limbs - 1] >> 63) return Sign::negative;
         std::uint64_t any = 0;
@@ -90,6 +105,7 @@ public:
 
     friend WideInteger operator+(const WideInteger& a, const WideInteger& b) {
         WideInteger sum;
+        if constexpr (Limbs == 2) return sum.from(a.both() + b.both());
         unsigned char carry = 0;
         for (int i = 0; i < Limbs; ++i) {
             const DoubleLimb t = DoubleLimb{a.limbs_[i]} + b.limbs_[i] + carry;
@@ -100,6 +116,7 @@ public:
     }
     friend WideInteger operator-(const WideInteger& a, const WideInteger& b) {
         WideInteger difference;
+        if constexpr (Limbs == 2) return difference.from(a.both() - b.both());
         unsigned char borrow = 0;
         for (int i = 0; i < Limbs; ++i) {
             const DoubleLimb t = DoubleLimb{a.limbs_[i]} - b.limbs_[i] - borrow;
@@ -111,6 +128,7 @@ public:
     friend WideInteger operator*(const WideInteger& a, const WideInteger& b) {
         // Modulo 2^bits the product of two's complement numbers is that of the unsigned ones.
         WideInteger product;
+        if constexpr (Limbs == 2) return product.from(a.both() * b.both());
         for (int i = 0; i < Limbs; ++i) {
             std::uint64_t carry = 0;
             for (int j = 0; i + j < Limbs; ++j) {
@@ -153,6 +171,14 @@ public:
     }
 
 private:
+    // Two limbs are a number that compilers know.
+    DoubleLimb both() const { return DoubleLimb{limbs_[1]} << 64 | limbs_[0]; }
+    const WideInteger& from(DoubleLimb value) {
+        limbs_[0] = static_cast<std::uint64_t>(value);
+        limbs_[1] = static_cast<std::uint64_t>(value >> 64);
+        return *this;
+    }
+
     void place(std::uint64_t magnitude, int shift) {
         const int whole = shift / 64, part = shift % 64;
         if (whole >= Limbs) return;  // zero modulo 2^bits

@@ -3,12 +3,13 @@
 #include "arithmetic/orientation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace cob {
 namespace {
 
-AlignedBox::Pair coordinate(const ExactPoint& p, int axis, bool negative) {
+AlignedBox::Pair pair_of(const ExactPoint& p, int axis, bool negative) {
     const double n = p.nearest()[axis], r = p.rest()[axis];
     return negative ? AlignedBox::Pair{-n, -r} : AlignedBox::Pair{n, r};
 }
@@ -48,8 +49,23 @@ std::optional<double> binary64(const Rational& value) {
     return Rational(truncated) == value ? std::optional<double>(truncated) : std::nullopt;
 }
 
-int fraction_bits(double value) {
-    return std::max(0, -BinaryParts(value).exponent);
+using Number = WideInteger<6>;
+
+/// value 2^unit as its first 53 bits and the 53 after them; nothing where it has more, or is out of range.
+std::optional<AlignedBox::Pair> to_pair(const Number& value, int unit) {
+    const bool negative = less_than_zero(value);
+    const Number magnitude = negative ? -value : value;
+    const int first = std::max(0, magnitude.bit_length() - 53), second = std::max(0, first - 53);
+    const auto part = [&](int from, int count) {
+        const double number = std::ldexp(static_cast<double>(magnitude.bits_from(from, count)), from + unit);
+        return negative ? -number : number;
+    };
+    const AlignedBox::Pair pair{part(first, 53), part(second, first - second)};
+    if (!std::isfinite(pair.nearest)) return std::nullopt;
+    for (const double number : {pair.nearest, pair.rest})
+        if (number != 0 && BinaryParts(number).exponent < unit) return std::nullopt;
+    if (Number(pair.nearest, unit) + Number(pair.rest, unit) != value) return std::nullopt;
+    return pair;
 }
 
 }  // namespace
@@ -78,28 +94,64 @@ std::optional<AlignedBox> AlignedBox::of(const BoxQuestion& question) {
     const bool cyclic = (*n_axis + 1) % 3 == *u_axis;
     box.negative[1] = (box.negative[0] != box.negative[2]) == cyclic;
 
-    // Extents.
+    box.base = pair_of(corners.points[0], box.axis[2], box.negative[2]);
+    box.find_sides(corners, *margin, *height);
+    return box;
+}
+
+void AlignedBox::find_sides(const Corners& corners, double margin, double height) {
+    // 1. The element's extents, in units small enough for margins and height.
+    std::array<Pair, 2> low, high;
     BitSpan bits;
     const auto add = [&bits](const Pair& pair) { bits.add(pair.nearest), bits.add(pair.rest); };
     for (std::size_t k = 0; k < 2; ++k) {
-        box.low[k] = box.high[k] = coordinate(corners.points[0], box.axis[k], box.negative[k]);
+        low[k] = high[k] = pair_of(corners.points[0], axis[k], negative[k]);
         for (int i = 1; i < corners.count; ++i) {
-            const Pair c = coordinate(corners.points[static_cast<std::size_t>(i)], box.axis[k], box.negative[k]);
-            if (less(c, box.low[k])) box.low[k] = c;
-            if (less(box.high[k], c)) box.high[k] = c;
+            const Pair c = pair_of(corners.points[static_cast<std::size_t>(i)], axis[k], negative[k]);
+            if (less(c, low[k])) low[k] = c;
+            if (less(high[k], c)) high[k] = c;
         }
-        add(box.low[k]);
-        add(box.high[k]);
+        add(low[k]);
+        add(high[k]);
     }
-    box.base = coordinate(corners.points[0], box.axis[2], box.negative[2]);
-    add(box.base);
+    add(base);
+    const BinaryParts m(margin), h(height);
+    const int margin_bits = std::max(0, -m.exponent), height_bits = std::max(0, -h.exponent);
+    const auto length = [](const BinaryParts& parts) { return 54 + std::max(0, parts.exponent); };
+    // Widths have a bit more than coordinates, times 1 + 2 margin, times the height, and a sum.
+    if (bits.bits() + 2 + length(m) + margin_bits + length(h) + height_bits + 2 >= Number::bits) return;
+    const int fine = bits.low - margin_bits - height_bits;
 
-    box.margin = *margin;
-    box.height = *height;
-    box.margin_bits = fraction_bits(box.margin);
-    box.height_bits = fraction_bits(box.height);
-    box.unit = bits.low - box.margin_bits - box.height_bits;
-    return box;
+    // 2. Widened by margin x extent: margin = n / 2^margin_bits, so the extent is taken in coarser units.
+    const Number n(margin, -margin_bits);
+    const auto in = [](const Pair& pair, int unit_) { return Number(pair.nearest, unit_) + Number(pair.rest, unit_); };
+    const int coarse = fine + margin_bits;
+    std::array<std::array<Number, 2>, 3> exact;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Number widening = n * (in(high[k], coarse) - in(low[k], coarse));
+        exact[k] = {in(low[k], fine) - widening, in(high[k], fine) + widening};
+    }
+
+    // 3. h = height (1 + 2 margin) x the shorter extent.
+    const int coarser = coarse + height_bits;
+    const Number shorter =
+        lesser(in(high[0], coarser) - in(low[0], coarser), in(high[1], coarser) - in(low[1], coarser));
+    const Number widened = Number(1.0, -margin_bits) + n + n;
+    exact[2] = {in(base, fine), in(base, fine) + Number(height, -height_bits) * (widened * shorter)};
+
+    // 4. As pairs.
+    std::array<std::array<Pair, 2>, 3> pairs;
+    BitSpan used;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t end = 0; end < 2; ++end) {
+            const std::optional<Pair> pair = to_pair(exact[k][end], fine);
+            if (!pair) return;
+            pairs[k][end] = *pair;
+            used.add(pair->nearest);
+            used.add(pair->rest);
+        }
+    sides = pairs;
+    unit = used.low;
 }
 
 }  // namespace cob

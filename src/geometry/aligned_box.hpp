@@ -1,6 +1,6 @@
 /// \file
 /// The box whose frame is parallel to the coordinate axes, as exact binary64 numbers: what integers are made from
-/// without fractions. Most boxes of most scenes are of this kind.
+/// without fractions, and what corners are compared with without rounding. Most boxes of most scenes are of this kind.
 #pragma once
 
 #include "arithmetic/wide_integer.hpp"
@@ -20,14 +20,28 @@ struct AlignedBox {
 
     std::array<int, 3> axis{};
     std::array<bool, 3> negative{};
-    std::array<Pair, 2> low, high;         ///< The element's extents, not widened, along a and b.
-    Pair base;                             ///< The element's plane along z.
-    double margin = 0, height = 0;         ///< Exactly those of the question.
-    int margin_bits = 0, height_bits = 0;  ///< margin 2^margin_bits is an integer; so for the height.
-    int unit = 0;  ///< low, high, base, the widened extents and the height are multiples of 2^unit.
+    Pair base;  ///< The element's plane along z.
+    /// Where the box begins (0) and ends (1) along a, b and z, widened and with its height; nothing where some
+    /// side has too many bits for a pair. rest has the sign of nearest and is less than its last bit.
+    std::optional<std::array<std::array<Pair, 2>, 3>> sides;
+    int unit = 0;  ///< All of sides are multiples of 2^unit.
+
+    /// Of a point, exactly.
+    double coordinate(const Point& p, int k) const {
+        const auto i = static_cast<std::size_t>(k);
+        return negative[i] ? -p[axis[i]] : p[axis[i]];
+    }
+    /// Sign of a coordinate minus that of a side, exactly; sides must be there.
+    Sign compare(double value, int k, int end) const {
+        const Pair& side = (*sides)[static_cast<std::size_t>(k)][static_cast<std::size_t>(end)];
+        return value != side.nearest ? sign_of(value - side.nearest) : -sign_of(side.rest);
+    }
 
     /// Nothing where the box is not parallel to the axes, or not made of binary64 numbers.
     static std::optional<AlignedBox> of(const BoxQuestion& question);
+
+private:
+    void find_sides(const Corners& corners, double margin, double height);
 };
 
 }  // namespace cob

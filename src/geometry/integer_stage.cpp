@@ -58,29 +58,14 @@ struct Integers {
         const auto convert = [](const AlignedBox::Pair& pair, int unit_) {
             return Number(pair.nearest, unit_) + Number(pair.rest, unit_);
         };
-        // Widened by margin x extent; margin = m / 2^margin_bits, so the extent is taken in coarser units.
-        const Number m(aligned.margin, -aligned.margin_bits);
-        const int coarse = unit + aligned.margin_bits, coarser = coarse + aligned.height_bits;
-        for (int k = 0; k < 2; ++k) {
-            const auto i = static_cast<std::size_t>(k);
-            const Number widening = m * (convert(aligned.high[i], coarse) - convert(aligned.low[i], coarse));
-            box.low[k] = convert(aligned.low[i], unit) - widening;
-            box.high[k] = convert(aligned.high[i], unit) + widening;
+        for (int k = 0; k < 3; ++k) {
+            const auto& side = (*aligned.sides)[static_cast<std::size_t>(k)];
+            box.low[k] = convert(side[0], unit);
+            box.high[k] = convert(side[1], unit);
         }
-        // h = height (1 + 2 margin) x the shorter extent.
-        const Number shorter = lesser(convert(aligned.high[0], coarser) - convert(aligned.low[0], coarser),
-                                      convert(aligned.high[1], coarser) - convert(aligned.low[1], coarser));
-        const Number widened = Number(1.0, -aligned.margin_bits) + m + m;
-        box.low.z = convert(aligned.base, unit);
-        box.high.z = box.low.z + Number(aligned.height, -aligned.height_bits) * (widened * shorter);
-
         for (const Point& p : points) {
             corners.emplace_back();
-            for (int k = 0; k < 3; ++k) {
-                const auto i = static_cast<std::size_t>(k);
-                const double coordinate = p[aligned.axis[i]];
-                corners.back()[k] = Number(aligned.negative[i] ? -coordinate : coordinate, unit);
-            }
+            for (int k = 0; k < 3; ++k) corners.back()[k] = Number(aligned.coordinate(p, k), unit);
         }
     }
 
@@ -103,6 +88,10 @@ struct Integers {
         }
     }
 };
+
+bool has_sides(const Box::Prepared& box) {
+    return box.aligned && box.aligned->sides;
+}
 
 /// Units of a query, and the bits of each frame coordinate in them.
 struct Size {
@@ -132,7 +121,7 @@ Size size_of(const IntegerQuery& query) {
     const int scale_exponent = exponent_above(box.scale) - 1;
 
     Size size;
-    if (box.aligned) {
+    if (has_sides(box)) {
         size.unit = std::min(box.aligned->unit, span.low);
         for (std::size_t k = 0; k < 3; ++k)
             size.bits[k] = std::max(1, exponent_above(reach[k] + box.error * largest) - scale_exponent - size.unit);
@@ -170,7 +159,7 @@ bool in_integers(const IntegerQuery& query, Degree degree, const Evaluate& evalu
     const Size size = size_of(query);
     const int bits = bits_needed(size, degree, static_cast<int>(query.corners.size()));
     const auto with = [&](auto limbs) {
-        if (query.box.aligned)
+        if (has_sides(query.box))
             evaluate(Integers<limbs>(*query.box.aligned, query.corners, size.unit));
         else
             evaluate(Integers<limbs>(query.box.integers(), query.box.origin, query.corners, size.unit));

@@ -55,15 +55,18 @@ public:
                 ++counters.filtered;
                 return relation_of(findings);
             }
-            // Walls: a piece perpendicular to an axis of the frame has no area along the others.
-            drop_empty_groups(findings.undecided);
-            if (findings.decided()) {
-                ++counters.filtered;
-                return relation_of(findings);
+            // Ties in the ordinary case, boxes and walls parallel to the axes, need only comparisons.
+            const Points points = vertex_points();
+            if (box_.aligned) {
+                drop_empty_groups(points, findings.undecided);
+                if (box_.aligned->sides) compare_with_faces(points, findings);
+                if (findings.decided()) {
+                    ++counters.filtered;
+                    return relation_of(findings);
+                }
             }
 
             // 2. Integers.
-            const Points points = vertex_points();
             if (separate_in_integers({box_, view(points), piece}, findings.undecided, findings) && findings.decided()) {
                 ++counters.integer;
                 return relation_of(findings);
@@ -126,18 +129,38 @@ private:
     }
 
     /// Where all corners agree exactly in a coordinate to which the frame is parallel, N is along that axis.
-    void drop_empty_groups(AxisSet& open) const {
-        if (!box_.aligned || open.groups == 0) return;
+    void drop_empty_groups(const Points& points, AxisSet& open) const {
+        if (open.groups == 0) return;
         for (int k = 0; k < 3; ++k) {
             const int axis = box_.aligned->axis[static_cast<std::size_t>(k)];
-            const double first = scene_.position(vertices_[0])[axis];
             bool flat = true;
-            for (const VertexId vertex : vertices_) flat = flat && scene_.position(vertex)[axis] == first;
+            for (const Point& p : points) flat = flat && p[axis] == points[0][axis];
             if (!flat) continue;
             open.groups = static_cast<std::uint8_t>(open.groups & 1u << k);
             // Along N the gaps are those of the box's faces, which are looked at anyway.
             open.normals = 0;
         }
+    }
+
+    /// The box's own axes, exactly.
+    void compare_with_faces(const Points& points, Findings& findings) const {
+        const AxisSet open = findings.undecided;
+        if (open.faces == 0) return;
+        findings.undecided.faces = 0;
+        const AlignedBox& aligned = *box_.aligned;
+        for (int k = 0; k < 3; ++k)
+            for (int end = 0; end < 2; ++end) {
+                if (!open.face(2 * k + end)) continue;
+                double nearest = aligned.coordinate(points[0], k);  // to the inside of this face
+                for (const Point& p : points) {
+                    const double value = aligned.coordinate(p, k);
+                    nearest = end == 0 ? std::max(nearest, value) : std::min(nearest, value);
+                }
+                const Sign beyond = end == 0 ? -aligned.compare(nearest, k, 0) : aligned.compare(nearest, k, 1);
+                findings.apart = findings.apart || beyond == Sign::positive;
+                findings.touches = findings.touches || beyond == Sign::zero;
+                findings.only_base = findings.only_base || (beyond == Sign::zero && k == 2 && end == 0);
+            }
     }
 
     static AxisSet everything() {

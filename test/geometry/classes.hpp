@@ -13,28 +13,28 @@
 
 namespace cob::test {
 
-/// How a class makes its triangles.
+/// How a class makes its triangles. Coordinates are integers below 2^bits, times 2^step, plus offset, all exact.
 struct InputClass {
     const char* name;
-    int bits = 20;          ///< Of the coordinates: on a lattice of that many bits, or 53: any binary64 number.
-    bool touching = false;  ///< A corner lies on a side of the box, or the triangle in the plane of one.
+    int bits = 20;
+    bool touching = false;  ///< A corner lies on a side of the box, a side on a box edge or the inside on a corner.
     bool coplanar = false;  ///< The triangle lies in the plane of a side or of the element.
-    bool oblique = false;   ///< The box is parallel to no coordinate axis.
-    double offset = 0;      ///< Added to every coordinate.
-    double scale = 1;
+    bool oblique = false;   ///< The box is parallel to no coordinate axis; the turn adds 6 bits.
+    double offset = 0;
+    int step = 0;
 };
 
 inline const std::array<InputClass, 9>& input_classes() {
     static const std::array<InputClass, 9> classes = {{
-        {"generic", 53},
+        {"generic", 52, false, false, false, 0, -52},
         {"touching_20_bit", 20, true},
         {"coplanar_20_bit", 20, false, true},
-        {"touching_53_bit", 53, true},
-        {"coplanar_53_bit", 53, false, true},
-        {"oblique_20_bit", 14, true, false, true},  // 6 bits more after the turn
-        {"oblique_53_bit", 46, true, false, true},
-        {"offset_1e6", 53, true, false, false, 1e6},
-        {"scale_1e-6", 53, true, false, false, 0, 1e-6},
+        {"touching_53_bit", 52, true, false, false, 0, -52},
+        {"coplanar_53_bit", 52, false, true, false, 0, -52},
+        {"oblique_20_bit", 13, true, false, true},
+        {"oblique_53_bit", 46, true, false, true, 0, -46},
+        {"offset_1e6", 32, true, false, false, 1e6, -32},
+        {"scale_1e-6", 52, true, false, false, 0, -72},
     }};
     return classes;
 }
@@ -42,6 +42,7 @@ inline const std::array<InputClass, 9>& input_classes() {
 /// Boxes and triangles of one class; query i is triangle i against box i % boxes.size().
 struct Queries {
     std::vector<Box> boxes;
+    std::vector<std::array<Point, 2>> extents;  ///< Of the boxes, exactly, before the turn of oblique ones.
     Scene scene;
 
     PolygonId size() const { return scene.polygon_count(); }
@@ -54,7 +55,6 @@ public:
 
     Queries make(int boxes, int triangles) {
         Queries queries;
-        std::vector<std::array<Point, 2>> extents;
         for (int i = 0; i < boxes; ++i) {
             // The element: a rectangle of about a third of the surroundings.
             const Point low = {coordinate(.25, .375), coordinate(.25, .375), coordinate(.25, .375)};
@@ -63,11 +63,11 @@ public:
             for (Point& p : element) p = turned(p);
             queries.boxes.emplace_back(question_of(element, 0, 1));
             const double side = std::min(high.x - low.x, high.y - low.y);
-            extents.push_back({low, {high.x, high.y, low.z + side}});
+            queries.extents.push_back({low, {high.x, high.y, low.z + side}});
         }
         std::vector<Loop> loops;
         while (static_cast<int>(loops.size()) < triangles) {
-            const auto& [low, high] = extents[loops.size() % extents.size()];
+            const auto& [low, high] = queries.extents[loops.size() % queries.extents.size()];
             Loop loop = triangle(low, high);
             if (on_one_line(loop)) continue;
             for (Point& p : loop) p = turned(p);
@@ -80,34 +80,75 @@ public:
 private:
     double unit() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
 
-    /// In [from, to) of the surroundings, which are the unit cube scaled and shifted.
+    /// In [from, to) of the surroundings, which are a cube of 2^bits steps.
     double coordinate(double from, double to) {
-        const double value = from + (to - from) * unit();
-        if (class_.bits < 53) return class_.offset + std::floor(std::ldexp(value, class_.bits - 1)) * class_.scale;
-        return class_.offset + value * class_.scale;
+        const double steps = std::floor(std::ldexp(from + (to - from) * unit(), class_.bits));
+        return class_.offset + std::ldexp(steps, class_.step);
     }
 
+    /// A step's multiple in [low, high).
     double between(double low, double high) {
-        const double inside = (high - low) * unit();
-        return low + (class_.bits < 53 ? std::floor(inside) : inside);
+        const double steps = std::floor(std::ldexp((high - low) * unit(), -class_.step));
+        return low + std::ldexp(steps, class_.step);
     }
 
     Loop triangle(const Point& low, const Point& high) {
         Loop loop(3);
         for (Point& p : loop) p = {coordinate(0, 1), coordinate(0, 1), coordinate(0, 1)};
         const int axis = static_cast<int>(random_() % 3);
-        const double side = random_() % 2 ? low[axis] : high[axis];
-        if (class_.touching) {
-            // A corner on a side of the box, the others not on its inner side.
-            for (Point& p : loop) p[axis] = side == low[axis] ? std::min(p[axis], side) : std::max(p[axis], side);
-            loop[0][axis] = side;
-            for (int k = 0; k < 3; ++k)
-                if (k != axis) loop[0][k] = between(low[k], high[k]);
-            if (random_() % 4 == 0) loop[1] = {low.x, low.y, high.z};  // and one on a corner
-        }
+        const bool at_low = random_() % 2 != 0;
+        const double side = at_low ? low[axis] : high[axis];
         if (class_.coplanar)
             for (Point& p : loop) p[axis] = side;
+        if (!class_.touching) return loop;
+        switch (random_() % 3) {
+            case 0:  // a corner on a side of the box, the others not on its inner side
+                for (Point& p : loop) p[axis] = at_low ? std::min(p[axis], side) : std::max(p[axis], side);
+                loop[0] = {between(low.x, high.x), between(low.y, high.y), between(low.z, high.z)};
+                loop[0][axis] = side;
+                break;
+            case 1: {  // a side of the triangle across a box edge, from outside
+                const Point out = outward();
+                Point on_edge = corner(low, high, out);
+                on_edge[axis] = between(low[axis], high[axis]);
+                const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+                Point along = small_vector(), away = small_vector();
+                along[i] = std::abs(along[i]) * out[i];
+                along[j] = -std::abs(along[j]) * out[j];
+                away[i] = std::abs(away[i]) * out[i];
+                away[j] = std::abs(away[j]) * out[j];
+                loop = {on_edge + along, on_edge - along, on_edge + away};
+                break;
+            }
+            default: {  // the inside on a corner: the normal points away from the box along every axis
+                const Point out = outward(), on_corner = corner(low, high, out);
+                Point p, q, n;
+                do {
+                    p = small_vector();
+                    q = small_vector();
+                    n = cross(p, q);
+                } while (!(n.x * out.x > 0 && n.y * out.y > 0 && n.z * out.z > 0));
+                loop = {on_corner + p, on_corner + q, on_corner - p - q};
+            }
+        }
         return loop;
+    }
+
+    /// A corner of the box by the signs of the directions that leave it there.
+    Point outward() {
+        const auto sign = [&] { return random_() % 2 ? 1.0 : -1.0; };
+        return {sign(), sign(), sign()};
+    }
+    static Point corner(const Point& low, const Point& high, const Point& out) {
+        return {out.x > 0 ? high.x : low.x, out.y > 0 ? high.y : low.y, out.z > 0 ? high.z : low.z};
+    }
+
+    /// Up to a quarter of the surroundings, either way.
+    Point small_vector() {
+        const auto any = [&] {
+            return coordinate(0, .5) - class_.offset - std::ldexp(1, class_.bits + class_.step - 2);
+        };
+        return {any(), any(), any()};
     }
 
     /// By the rotation of quaternion (2, 1, 2, 4) times 25: exact on lattices.

@@ -42,9 +42,8 @@ struct Workload {
             };
             triangles.emplace_back(corner(0), corner(1), corner(2));
         }
+        for (const auto& [low, high] : queries.extents) boxes.emplace_back(low.x, low.y, low.z, high.x, high.y, high.z);
         for (const Box& box : queries.boxes) {
-            const std::array<double, 6>& b = box.bounds();
-            boxes.emplace_back(b[0], b[1], b[2], b[3], b[4], b[5]);
             const ExactBox& exact = box.prepared().exact();
             const auto convert = [](const RationalPoint& p) {
                 return Vector3<CGAL::Gmpq>{gmpq(p.x), gmpq(p.y), gmpq(p.z)};
