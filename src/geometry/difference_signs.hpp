@@ -46,6 +46,8 @@ enum class Fallback : std::uint8_t { integers, fractions };
 struct SignContext {
     PredicateCounters* counters;  ///< Never null.
     Fallback fallback = Fallback::integers;
+    /// Ends that carry a piece, or are a corner of one, cost no arithmetic. Off only for measurements.
+    bool known_ends = true;
 };
 
 /// Sign of p . (q x r).

@@ -122,8 +122,9 @@ class ExactSigns : public SegmentSigns<ExactArithmetic> {
 public:
     ExactSigns(const PieceTable& pieces, const Segment& segment, const SignContext& context)
         : Base(pieces, segment, ExactArithmetic{context}),
-          from_group_(segment.from_piece < 0 ? -1 : pieces.approximate(segment.from_piece).group),
-          to_group_(segment.to_piece < 0 ? -1 : pieces.approximate(segment.to_piece).group),
+          from_group_(segment.from_piece < 0 || !context.known_ends ? -1
+                                                                    : pieces.approximate(segment.from_piece).group),
+          to_group_(segment.to_piece < 0 || !context.known_ends ? -1 : pieces.approximate(segment.to_piece).group),
           d_(to_.nearest() - from_.nearest()),
           from_rest_(rest(from_)),
           to_rest_(rest(to_)) {
@@ -160,7 +161,7 @@ public:
             ++arithmetic_.context.counters->filtered;
             return sign;
         }
-        if (is_corner(piece, end)) return Sign::zero;
+        if (arithmetic_.context.known_ends && is_corner(piece, end)) return Sign::zero;
         return exact_sign_of(to_plane(piece, end), arithmetic_.context);
     }
 
