@@ -6,17 +6,17 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <thread>
 
 namespace cob {
 
-/// The number of threads that the user's option means: 0 is one for each processor.
+/// The number of threads that the user's option means: 0 is one for each processor, and more than these bring nothing.
 inline int thread_count(int option) {
-    if (option > 0) return option;
-    const unsigned processors = std::thread::hardware_concurrency();
-    return processors > 0 ? static_cast<int>(processors) : 1;
+    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return option > 0 ? std::min(option, processors) : processors;
 }
 
 /// produce(block) fills the next block, false at the end, in order; work(block) runs on any thread; consume(block)

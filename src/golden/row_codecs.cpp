@@ -6,25 +6,22 @@
 namespace cob {
 namespace {
 
-constexpr std::array<const char*, 4> state_names = {"uninitialised", "empty", "close", "occluded"};
-constexpr std::array<const char*, 5> relation_names = {"disjoint", "base", "coplanar", "boundary", "crossing"};
-constexpr std::array<const char*, 3> shared_names = {"none", "vertex", "edge"};
-constexpr std::array<const char*, 3> visibility_names = {"clear", "grazing", "blocked"};
-constexpr std::array<const char*, 2> question_names = {"box", "segment"};
-
-template <class Enum, std::size_t N>
-void append_name(std::string& text, const std::array<const char*, N>& names, Enum value, bool decided = true) {
-    text += decided ? names[static_cast<std::size_t>(value)] : "undecided";
+const char* to_text(TagRow::Question question) {
+    return question == TagRow::Question::box ? "box" : "segment";
 }
 
-/// One of the names from the first-th on.
-template <class Enum, std::size_t N>
-Enum parse_name(Fields& fields, const std::array<const char*, N>& names, std::size_t first = 0) {
+constexpr const char* undecided = "undecided";
+
+/// One of the words of an enumeration, from `first` to `last`.
+template <class Enum>
+Enum parse_word(Fields& fields, Enum first, Enum last) {
     const std::string_view field = fields.text();
-    for (std::size_t k = first; k < N; ++k)
-        if (field == names[k]) return static_cast<Enum>(k);
     std::string all;
-    for (std::size_t k = first; k < N; ++k) all += (k > first ? ", " : "") + std::string(names[k]);
+    for (int k = static_cast<int>(first); k <= static_cast<int>(last); ++k) {
+        const Enum value = static_cast<Enum>(k);
+        if (field == to_text(value)) return value;
+        all += (all.empty() ? "" : ", ") + std::string(to_text(value));
+    }
     fields.refuse("unknown word", field, "write one of " + all);
 }
 
@@ -88,7 +85,7 @@ void RowCodec<BoxRow>::append(std::string& text, const BoxRow& row) {
     if (corners.count == 3) text += ",,,";
     text += ',';
     append_point(text, row.question.u);
-    text += ',' + to_text(row.question.margin) + ',' + to_text(row.question.height);
+    text += ',' + cob::to_text(row.question.margin) + ',' + cob::to_text(row.question.height);
 }
 
 void RowCodec<SegmentRow>::parse(Fields& fields, SegmentRow& row) {
@@ -143,7 +140,7 @@ void RowCodec<PointRow>::append(std::string& text, const PointRow& row) {
 }
 
 void RowCodec<TagRow>::parse(Fields& fields, TagRow& row) {
-    row.question = parse_name<TagRow::Question>(fields, question_names);
+    row.question = parse_word(fields, TagRow::Question::box, TagRow::Question::segment);
     row.id = fields.id();
     row.kind = fields.text();
     const auto plain = [](char c) {
@@ -156,7 +153,7 @@ void RowCodec<TagRow>::parse(Fields& fields, TagRow& row) {
 }
 
 void RowCodec<TagRow>::append(std::string& text, const TagRow& row) {
-    append_name(text, question_names, row.question);
+    text += to_text(row.question);
     text += ',';
     append_integer(text, row.id);
     text += ',' + row.kind + ',';
@@ -168,7 +165,7 @@ void RowCodec<TagRow>::append(std::string& text, const TagRow& row) {
 void RowCodec<StateRow>::parse(Fields& fields, StateRow& row) {
     row.box = fields.id();
     row.decided = !fields.take_undecided();
-    row.state = row.decided ? parse_name<BufferState>(fields, state_names, 1) : BufferState::empty;
+    row.state = row.decided ? parse_word(fields, BufferState::empty, BufferState::occluded) : BufferState::empty;
     fields.polygons(row.close);
     fields.polygons(row.cover);
     fields.polygons(row.light);
@@ -177,7 +174,7 @@ void RowCodec<StateRow>::parse(Fields& fields, StateRow& row) {
 void RowCodec<StateRow>::append(std::string& text, const StateRow& row) {
     append_integer(text, row.box);
     text += ',';
-    append_name(text, state_names, row.state, row.decided);
+    text += row.decided ? to_text(row.state) : undecided;
     for (const auto* list : {&row.close, &row.cover, &row.light}) {
         text += ',';
         append_list(text, *list);
@@ -188,9 +185,9 @@ void RowCodec<RelationRow>::parse(Fields& fields, RelationRow& row) {
     row.box = fields.id();
     row.polygon = fields.polygon();
     row.decided = !fields.take_undecided();
-    row.relation = row.decided ? parse_name<Relation>(fields, relation_names) : Relation::disjoint;
+    row.relation = row.decided ? parse_word(fields, Relation::disjoint, Relation::crossing) : Relation::disjoint;
     row.covers = fields.flag();
-    row.shared = parse_name<Shared>(fields, shared_names);
+    row.shared = parse_word(fields, Shared::none, Shared::edge);
 }
 
 void RowCodec<RelationRow>::append(std::string& text, const RelationRow& row) {
@@ -198,21 +195,21 @@ void RowCodec<RelationRow>::append(std::string& text, const RelationRow& row) {
     text += ',';
     append_integer(text, row.polygon);
     text += ',';
-    append_name(text, relation_names, row.relation, row.decided);
+    text += row.decided ? to_text(row.relation) : undecided;
     text += row.covers ? ",1," : ",0,";
-    append_name(text, shared_names, row.shared);
+    text += to_text(row.shared);
 }
 
 void RowCodec<VisibilityRow>::parse(Fields& fields, VisibilityRow& row) {
     row.segment = fields.id();
     row.decided = !fields.take_undecided();
-    row.visibility = row.decided ? parse_name<Visibility>(fields, visibility_names) : Visibility::clear;
+    row.visibility = row.decided ? parse_word(fields, Visibility::clear, Visibility::blocked) : Visibility::clear;
 }
 
 void RowCodec<VisibilityRow>::append(std::string& text, const VisibilityRow& row) {
     append_integer(text, row.segment);
     text += ',';
-    append_name(text, visibility_names, row.visibility, row.decided);
+    text += row.decided ? to_text(row.visibility) : undecided;
 }
 
 void RowCodec<IrradianceRow>::parse(Fields& fields, IrradianceRow& row) {
