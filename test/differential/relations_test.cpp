@@ -1,32 +1,15 @@
 // SPEC 4 and 5: relation, covers, shared, facing lights and the state of the buffer, against the naive twin.
+#include "differential/boxes.hpp"
 #include "differential/run.hpp"
 #include "differential/scenes.hpp"
 #include "naive/dice.hpp"
 
 #include "cob/candidates.hpp"
 #include "cob/classification.hpp"
-#include "cob/error.hpp"
 #include "cob/geometry.hpp"
 
 namespace cob::test {
 namespace {
-
-/// Nothing where SPEC 4 refuses the question.
-std::optional<Box> library_box(const naive::BoxQuestion& question) {
-    BoxQuestion result;
-    result.polygon = question.polygon;
-    result.corners.count = static_cast<int>(question.corners.size());
-    for (std::size_t k = 0; k < question.corners.size(); ++k)
-        result.corners.points[k] = ExactPoint(question.corners[k]);
-    result.u = ExactPoint(question.u);
-    result.margin = question.margin;
-    result.height = question.height;
-    try {
-        return Box(result);
-    } catch (const InputError&) {
-        return std::nullopt;
-    }
-}
 
 template <class Ids>
 std::string joined(const Ids& ids) {
