@@ -57,9 +57,9 @@ public:
     static constexpr int bits = 64 * Limbs;  ///< Holds |value| < 2^(bits - 1).
 
     WideInteger() : limbs_{} {}
-    WideInteger(int value) {  // NOLINT: implicit, as for every number type
+    WideInteger(std::int64_t value) {  // NOLINT: implicit, as for every number type
         limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
-        limbs_[0] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
+        limbs_[0] = static_cast<std::uint64_t>(value);
     }
     /// value / 2^unit, which must be an integer.
     WideInteger(double value, int unit) : limbs_{} {

@@ -52,6 +52,8 @@ struct Integers {
     IntegerKernel<Limbs> kernel;
     boost::container::small_vector<Vector3<Number>, 8> corners;
 
+    Integers() = default;
+
     FramePiece<Number> piece() const { return {corners.data(), static_cast<int>(corners.size())}; }
 
     Integers(const AlignedBox& aligned, const View<Point>& points, int unit) {
@@ -89,6 +91,13 @@ struct Integers {
     }
 };
 
+/// |value| < 2^result; value >= 0 and finite.
+int exponent_above(double value) {
+    int exponent;
+    std::frexp(value, &exponent);
+    return exponent;
+}
+
 bool has_sides(const Box::Prepared& box) {
     return box.aligned && box.aligned->sides;
 }
@@ -98,13 +107,6 @@ struct Size {
     int unit = 0;
     std::array<int, 3> bits{};  ///< Absolute frame coordinates are less than 2^bits.
 };
-
-/// |value| < 2^result; value >= 0 and finite.
-int exponent_above(double value) {
-    int exponent;
-    std::frexp(value, &exponent);
-    return exponent;
-}
 
 Size size_of(const IntegerQuery& query) {
     const Box::Prepared& box = query.box;
@@ -141,6 +143,45 @@ Size size_of(const IntegerQuery& query) {
     return size;
 }
 
+/// Short coordinates, the ordinary case of scenes drawn on a grid: all corners and sides on a lattice of 2^38 steps
+/// each way (and the piece of four corners at most) fit two limbs and need no counting of bits. False where not.
+bool on_lattice(const IntegerQuery& query, Integers<2>& integers) {
+    constexpr int lattice_bits = 38;
+    const Box::Prepared& box = query.box;
+    if (!has_sides(box) || query.corners.size() > 4) return false;
+    double largest = box.size;
+    for (int k = 0; k < 3; ++k) largest = std::max({largest, -query.rounded.low[k], query.rounded.high[k]});
+    const int exponent = exponent_above(largest * 1.001 / box.scale) - lattice_bits;
+    if (exponent < -900 || exponent > 900) return false;
+    const double steps = std::ldexp(1.0, -exponent);
+
+    // Multiples of the step whose distance from the origin is less than 2^38 of it: differences are exact.
+    const auto is_integer = [](double value) {
+        return std::abs(value) < 0x1p62 && static_cast<double>(static_cast<std::int64_t>(value)) == value;
+    };
+    bool exact = true;
+    Vector3<double> origin;
+    const auto convert = [&](double coordinate, int k) {
+        const double value = coordinate * steps;
+        exact = exact && is_integer(value);
+        return WideInteger<2>(exact ? static_cast<std::int64_t>(value - origin[k]) : 0);
+    };
+    for (int k = 0; k < 3; ++k) {
+        origin[k] = box.aligned->coordinate(box.origin, k) * steps;
+        exact = exact && is_integer(origin[k]);
+        const auto& side = (*box.aligned->sides)[static_cast<std::size_t>(k)];
+        exact = exact && side[0].rest == 0 && side[1].rest == 0;
+        if (!exact) return false;
+        integers.box.low[k] = convert(side[0].nearest, k);
+        integers.box.high[k] = convert(side[1].nearest, k);
+    }
+    for (const Point& p : query.corners) {
+        integers.corners.emplace_back();
+        for (int k = 0; k < 3; ++k) integers.corners.back()[k] = convert(box.aligned->coordinate(p, k), k);
+    }
+    return exact;
+}
+
 enum class Degree { faces, sides, plane };
 
 /// Bits, with the sign, of the largest result: differences have one more than coordinates; a side's gap is the sum
@@ -156,6 +197,10 @@ int bits_needed(const Size& size, Degree degree, int corner_count) {
 /// Calls evaluate(Integers<Limbs>) with as few limbs as the bits need; false: too many.
 template <class Evaluate>
 bool in_integers(const IntegerQuery& query, Degree degree, const Evaluate& evaluate) {
+    if (Integers<2> integers; on_lattice(query, integers)) {
+        evaluate(integers);
+        return true;
+    }
     const Size size = size_of(query);
     const int bits = bits_needed(size, degree, static_cast<int>(query.corners.size()));
     const auto with = [&](auto limbs) {
