@@ -156,6 +156,9 @@ public:
     std::vector<std::array<std::int32_t, 2>> outline(std::int32_t leaf) const;
     /// At every vertex of the mesh, from the elements around it on the same polygon.
     std::vector<Rgb> vertex_exitance() const;
+    /// What the same shots bring to one point, at bilinear (of a triangle: barycentric) coordinates of a root, with so
+    /// many samples (4, 16, 64, ...) of each shooter: exitance that no mesh has smeared. Slow.
+    Rgb gather(RootId root, double u, double v, int samples) const;
     /// The ambient term: what the unshot flux would add to each exitance, per unit of reflectance.
     Rgb ambient() const;
     /// What the scene let the solver leave out, one line each.

@@ -4,6 +4,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/solver.hpp"
+#include "report/exitance_line.hpp"
 #include "report/picture.hpp"
 #include "report/solution_files.hpp"
 
@@ -33,7 +34,8 @@ struct Arguments {
     std::string emission = "exitance", margin = "0.125", height = "0.25";
     bool skip_invalid = false;
     std::vector<double> gradient_threshold{0.25};
-    std::vector<double> position, target, up;
+    std::vector<double> position, target, up, line;
+    int line_points = 200, line_samples = 64;
     double fov = 0;
     std::int64_t elements = 0;
     double checkpoint_seconds = 30;
@@ -116,6 +118,12 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
     if (!arguments.beside.empty())
         write_file(base + "beside.png",
                    report::encode_png(report::beside(report::decode_png(arguments.beside), pictures.plain)));
+    if (!arguments.line.empty()) {
+        const std::vector<double>& l = arguments.line;
+        report::write_exitance_line(
+            solver, {{l[0], l[1], l[2]}, {l[3], l[4], l[5]}, arguments.line_points, arguments.line_samples},
+            base + "line");
+    }
     write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
     write_file(base + "exitance.csv", report::solution_csv(solver));
@@ -275,6 +283,18 @@ void add_render(CLI::App& app) {
     command
         ->add_option("--beside", a.beside, "Another picture: beside.png shows it to the left of this run's picture.png")
         ->check(CLI::ExistingFile)
+        ->group("Picture");
+    command
+        ->add_option("--line", a.line,
+                     "Exitance along a line on a surface, X0 Y0 Z0 X1 Y1 Z1, beside what the same shots bring to each "
+                     "point itself: line.csv, line.svg, line.png")
+        ->expected(6)
+        ->group("Picture");
+    command->add_option("--line-points", a.line_points, "Points along --line")
+        ->check(CLI::Range(2, 100000))
+        ->group("Picture");
+    command->add_option("--line-samples", a.line_samples, "Segments from each point of --line to each shooter")
+        ->check(CLI::IsMember({1, 4, 16, 64, 256, 1024}))
         ->group("Picture");
     command->add_flag("--ambient", a.picture.ambient, "Add the ambient term, for display only")->group("Picture");
     command->callback([arguments] { run(*arguments); });

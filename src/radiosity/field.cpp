@@ -85,6 +85,20 @@ std::array<double, 2> outline_point(bool triangle, int place) {
 
 }  // namespace
 
+Rgb RadiositySolver::gather(RootId root, double u, double v, int samples) const {
+    const NodeId leaf = state_->mesh->leaf_at(root, u, v);
+    const Node& node = state_->mesh->node(leaf);
+    const auto [s, t] = local(node.element, node.corner_count() == 3, u, v);
+    const Material& m = state_->material(leaf);
+    Rgb result = m.emitted_exitance;
+    TransportScratch scratch;
+    for (const Shot& shot : state_->shots) {
+        const double form_factor = state_->transport->receive_at(shot, leaf, s, t, samples, scratch);
+        for (std::size_t c = 0; c < 3; ++c) result[c] += m.reflectance[c] * shot.exitance[c] * form_factor;
+    }
+    return result;
+}
+
 Rgb ExitanceField::in_leaf(std::int32_t leaf, double u, double v) const {
     const Node& node = solver_.mesh().node(leaf);
     const bool triangle = node.corner_count() == 3;

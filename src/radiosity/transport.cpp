@@ -82,6 +82,17 @@ bool Transport::in_front(PieceId plane, NodeId element, const Sample& sample) co
 
 // -------------------------------------------------------------------------------------------------- the shooter
 
+std::vector<Sample> Transport::samples_of(NodeId patch, int count) const {
+    const Node& n = mesh_.node(patch);
+    const PolygonId polygon = mesh_.roots()[n.element.root].polygon;
+    std::vector<Sample> samples = stratified(n.corner_count() == 3, count);
+    for (Sample& sample : samples) {
+        sample.position = point(patch, sample.s, sample.t);
+        sample.hidden = !sheets_.above(polygon).empty() && sheets_.hides(polygon, exact(patch, sample));
+    }
+    return samples;
+}
+
 Shot Transport::make_shot(NodeId patch, const Rgb& exitance) const {
     const Node& n = mesh_.node(patch);
     const Root& root = mesh_.roots()[n.element.root];
@@ -95,13 +106,8 @@ Shot Transport::make_shot(NodeId patch, const Rgb& exitance) const {
         shot.corners[c] = mesh_.vertices()[static_cast<std::size_t>(n.corners[c])].position;
     }
     shot.bounds = bounds_of(shot.corners.data(), shot.corner_count);
-    for (std::vector<Sample>* samples : {&shot.samples, &shot.mixed_samples}) {
-        *samples = stratified(shot.corner_count == 3, samples == &shot.samples ? samples_ : mixed_samples_);
-        for (Sample& sample : *samples) {
-            sample.position = point(patch, sample.s, sample.t);
-            sample.hidden = !sheets_.above(root.polygon).empty() && sheets_.hides(root.polygon, exact(patch, sample));
-        }
-    }
+    shot.samples = samples_of(patch, samples_);
+    shot.mixed_samples = samples_of(patch, mixed_samples_);
     return shot;
 }
 
@@ -261,11 +267,7 @@ Reception Transport::receive(const Shot& shot, NodeId element, TransportScratch&
                 result.form_factor += closed_form;
                 continue;
             }
-            scratch.side_from.clear();
-            for (const PieceId piece : scratch.between) {
-                const std::optional<Sign> side = planes_.side(piece, at.position);
-                scratch.side_from.push_back(side ? static_cast<std::int8_t>(*side) : uncertain);
-            }
+            find_sides(at.position, scratch);
         }
         Fraction seen = fraction(shot, shot.samples, element, at, scratch);
         const bool mixed = seen.tested == 0 || (seen.visible > 0 && seen.clear < seen.tested);
@@ -279,6 +281,27 @@ Reception Transport::receive(const Shot& shot, NodeId element, TransportScratch&
     if (unobstructed_sum == 0) return result;
     result.sight = result.form_factor == 0 ? Sight::none : all_clear ? Sight::whole : Sight::partial;
     return result;
+}
+
+void Transport::find_sides(const Point& from, TransportScratch& scratch) const {
+    scratch.side_from.clear();
+    for (const PieceId piece : scratch.between) {
+        const std::optional<Sign> side = planes_.side(piece, from);
+        scratch.side_from.push_back(side ? static_cast<std::int8_t>(*side) : uncertain);
+    }
+}
+
+double Transport::receive_at(const Shot& shot, NodeId element, double s, double t, int samples,
+                             TransportScratch& scratch) const {
+    const RootId root = mesh_.node(element).element.root;
+    if (apart(shot, root)) return 0;
+    const Sample at{s, t, point(element, s, t), false};
+    const double closed_form = form_factor(shot, at.position, planes_.normal(mesh_.roots()[root].piece), scratch);
+    if (closed_form == 0 || !in_front(shot.piece, element, at)) return 0;
+    find_between(shot, mesh_.node(element).patch, scratch);
+    find_sides(at.position, scratch);
+    const Fraction seen = fraction(shot, samples_of(shot.patch, samples), element, at, scratch);
+    return seen.all > 0 ? closed_form * seen.visible / seen.all : closed_form;
 }
 
 Reception Transport::receive_unobstructed(const Shot& shot, NodeId element, TransportScratch& scratch) const {

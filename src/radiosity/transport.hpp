@@ -70,6 +70,9 @@ public:
     void find_between(const Shot& shot, NodeId receiving_patch, TransportScratch& scratch) const;
     /// Closed form times visible fraction. `between` of the scratch must be of the element's patch.
     Reception receive(const Shot& shot, NodeId element, TransportScratch& scratch) const;
+    /// Closed form times visible fraction at one point of an element, with so many samples of the shooter.
+    double receive_at(const Shot& shot, NodeId element, double s, double t, int samples,
+                      TransportScratch& scratch) const;
     /// As receive(), where the whole patch is known to be visible.
     Reception receive_unobstructed(const Shot& shot, NodeId element, TransportScratch& scratch) const;
 
@@ -85,6 +88,8 @@ private:
         double all = 0, visible = 0;
         int tested = 0, clear = 0;
     };
+    void find_sides(const Point& from, TransportScratch& scratch) const;
+    std::vector<Sample> samples_of(NodeId patch, int count) const;
     Fraction fraction(const Shot& shot, const std::vector<Sample>& samples, NodeId element, const Sample& at,
                       TransportScratch& scratch) const;
     /// Weight that a segment transports: 1 clear, 0 blocked, half grazing, as near segments go to either side.
