@@ -138,6 +138,7 @@ void RadiositySolver::State::decide(const Shot& shot, Batch& batch) const {
         if (!is_strong(shot, work)) continue;
         // Step 3: the buffer decides.
         work.action = Work::Action::ask_buffer;
+        batch.asks = true;
     }
     count(scratch, batch.counters);
 }
@@ -195,7 +196,7 @@ void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
         std::vector<RootId> needed;
         for (const Batch& batch : batches) {
             const RootId root = mesh->node(batch.patch).element.root;
-            const bool asked = std::any_of(batch.work.begin(), batch.work.end(), [&](const Work& work) {
+            const bool asked = batch.asks && std::any_of(batch.work.begin(), batch.work.end(), [&](const Work& work) {
                 return work.action == Work::Action::ask_buffer &&
                        !cells[static_cast<std::size_t>(work.leaf)].buffer.is_built();
             });
@@ -216,6 +217,7 @@ void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
 
     arena_.execute([&] {
         tbb::parallel_for(std::size_t(0), batches.size(), [&](std::size_t k) {
+            if (!batches[k].asks) return;
             for (Work& work : batches[k].work) {
                 if (work.action != Work::Action::ask_buffer) continue;
                 Cell& cell = cells[static_cast<std::size_t>(work.leaf)];

@@ -92,6 +92,7 @@ private:
     struct Batch {
         radiosity::NodeId patch = -1;
         std::vector<Work> work;
+        bool asks = false;  ///< Some of it asks for a buffer.
         Rgb given{};      ///< Flux received.
         Rgb reflected{};  ///< Of it, made unshot flux.
         RadiosityCounters counters;
