@@ -2,7 +2,8 @@
 /// Golden sets (SPEC section 7): making them from a scene, and checking a variant's answers against them.
 #pragma once
 
-#include "cob/arithmetic.hpp"
+#include "cob/manifest.hpp"
+#include "cob/progress.hpp"
 #include "cob/verify/report.hpp"
 
 #include <cstdint>
@@ -16,26 +17,31 @@ namespace cob {
 
 /// What a set contains. Everything here stands in the manifest; nothing else changes a byte of the set.
 struct GoldenParameters {
-    int level = 0;               ///< Boxes: refinements below the patches, 0 to 12.
-    std::optional<double> edge;  ///< Boxes: wanted length of a patch's side; none: whole pieces are patches.
-    bool boxes = true;           ///< False: no boxes of elements.
-    double margin = 0.125;       ///< SPEC 4.
-    double height = 0.25;        ///< SPEC 4.
-    std::uint64_t segments = 0;  ///< Segments between sample points of elements and lights.
-    std::uint64_t hard = 0;      ///< So many hard boxes and so many hard segments, aimed at the degenerate.
-    std::optional<int> grid;     ///< Snap the scene to multiples of 2^-grid: all questions are binary64 numbers.
-    bool binary32 = false;       ///< As grid, chosen where none is given: all questions are binary32 numbers.
-    std::uint64_t seed = 1;      ///< Of the sample points and the hard questions.
-    bool skip_invalid = false;   ///< Polygons that SPEC 2 refuses keep their numbers and occur in no answer.
+    int level = 0;                   ///< Boxes: refinements below the patches, 0 to 12.
+    std::optional<double> edge;      ///< Boxes: wanted length of a patch's side; none: whole pieces are patches.
+    bool boxes = true;               ///< False: no boxes of elements.
+    double margin = 0.125;           ///< SPEC 4.
+    double height = 0.25;            ///< SPEC 4.
+    std::uint64_t segments = 0;      ///< Segments between sample points of elements and lights.
+    std::uint64_t hard = 0;          ///< So many hard boxes and so many hard segments, aimed at the degenerate.
+    std::vector<std::string> kinds;  ///< Of the hard questions, in turn; empty: all there are.
+    std::optional<int> grid;         ///< Snap the scene to multiples of 2^-grid: all questions are binary64 numbers.
+    bool binary32 = false;           ///< As grid, chosen where none is given: all questions are binary32 numbers.
+    std::uint64_t seed = 1;          ///< Of the sample points and the hard questions.
+    bool skip_invalid = false;       ///< Polygons that SPEC 2 refuses keep their numbers and occur in no answer.
 };
+
+/// The parameters that a manifest tells: with the set's own scene they make the same bytes again. Throws InputError.
+GoldenParameters parameters_of(const Manifest& manifest);
 
 /// How a set is made: of no influence on its bytes.
 struct GoldenOptions {
-    std::uint64_t shard_size = 50000;     ///< Questions held in memory at once.
-    std::uint64_t shard = 0, shards = 1;  ///< Make only the shards k with k mod shards = shard mod shards.
-    std::vector<std::string> merge;       ///< Folders whose finished shards are taken over.
-    int threads = 0;                      ///< 0: all.
-    bool progress = false;                ///< A line on standard error, kept up to date.
+    std::uint64_t shard_size = 50000;  ///< Questions held in memory at once.
+    /// Make only the shards k with k mod shards = shard mod shards.
+    std::uint64_t shard = 0, shards = 1;
+    std::vector<std::string> merge;  ///< Folders whose finished shards are taken over.
+    int threads = 0;                 ///< 0: all.
+    Progress progress;               ///< Counts shards.
 };
 
 /// How snapping to a grid changed the scene.

@@ -9,8 +9,10 @@ namespace cob::cli {
 // Each command registers its options and a callback; the callback throws InputError on bad input and CLI::RuntimeError
 // with an exit code where the code is part of its meaning (verify).
 void add_answer(CLI::App& app);
+void add_bench(CLI::App& app);
 void add_classify(CLI::App& app);
 void add_explain(CLI::App& app);
+void add_golden(CLI::App& app);
 void add_info(CLI::App& app);
 void add_occlude(CLI::App& app);
 void add_render(CLI::App& app);

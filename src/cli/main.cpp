@@ -12,6 +12,8 @@ int main(int argc, char** argv) {
     CLI::App app{"cob: the exact reference for the Close Object Buffer", "cob"};
     app.require_subcommand(1);
     app.option_defaults()->always_capture_default();
+    cob::cli::add_bench(app);
+    cob::cli::add_golden(app);
     cob::cli::add_info(app);
     cob::cli::add_occlude(app);
     cob::cli::add_render(app);

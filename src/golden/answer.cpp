@@ -1,6 +1,7 @@
 #include "golden/answer.hpp"
 
 #include "cob/files.hpp"
+#include "cob/manifest.hpp"
 
 #include <filesystem>
 
@@ -14,9 +15,22 @@ void refuse_unknown_polygon(const Scene& scene, PolygonId polygon) {
         throw InputError("polygon is not valid", {"", 0, std::to_string(polygon), "give -1 or another polygon"});
 }
 
+namespace {
+
+/// A set made with --skip-invalid says so: its polygons that SPEC 2 refuses keep their numbers.
+bool made_with_invalid(const std::string& set) {
+    const std::string path = set + "/manifest.json";
+    if (!std::filesystem::exists(path)) return false;
+    const Manifest manifest = read_manifest(path);
+    const auto found = manifest.parameters.find("skip_invalid");
+    return found != manifest.parameters.end() && found->second == "true";
+}
+
+}  // namespace
+
 AnswerSummary answer_set(const std::string& set, const std::string& folder, const AnswerOptions& options) {
     ReadOptions read;
-    read.skip_invalid = options.skip_invalid;
+    read.skip_invalid = options.skip_invalid || made_with_invalid(set);
     const Scene scene = read_obj(set + "/scene.obj", read);
 
     AnswerSummary summary;

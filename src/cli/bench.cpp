@@ -1,0 +1,53 @@
+#include "cob/bench.hpp"
+
+#include "cli/commands.hpp"
+#include "cob/files.hpp"
+#include "report/bench_report.hpp"
+
+#include <cstdio>
+#include <memory>
+
+namespace cob::cli {
+
+namespace {
+
+struct Arguments {
+    std::string set, folder;
+    BenchOptions options;
+};
+
+void run(const Arguments& arguments) {
+    create_folder(arguments.folder);
+    const std::vector<BenchRow> rows = bench_set(arguments.set, arguments.options);
+    const BenchMachine machine = bench_machine();
+    std::fputs(report::bench_table(rows, machine).c_str(), stdout);
+    write_file(arguments.folder + "/bench.csv", report::bench_csv(rows, machine));
+
+    for (const char* question : {"box", "segment"}) {
+        const report::Plot plot = report::bench_plot(rows, machine, question);
+        const std::string base = arguments.folder + "/bench_" + question;
+        if (plot.curves.empty()) continue;
+        if (report::draw(plot, base))
+            std::printf("%s.svg and .png: error rate against time\n", base.c_str());
+        else
+            std::fprintf(stderr, "cob: no plot of %s questions: gnuplot is missing or failed; install gnuplot-nox\n",
+                         question);
+    }
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand(
+        "bench", "Error against run time on a golden set: our formula in several arithmetics, CGAL, Embree");
+    command->add_option("set", arguments->set, "Folder of the golden set")->required();
+    command->add_option("-o,--output", arguments->folder, "Folder for bench.csv and the plots; created")->required();
+    command->add_option("--repetitions", arguments->options.repetitions, "Runs over the questions of each kind")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--most", arguments->options.most_of_kind, "Questions of each kind: the first so many")
+        ->check(CLI::PositiveNumber);
+    command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace cob::cli

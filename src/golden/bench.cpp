@@ -1,0 +1,106 @@
+#include "cob/bench.hpp"
+
+#include "golden/bench_set.hpp"
+
+#include <array>
+#include <fstream>
+
+namespace cob {
+
+namespace {
+
+struct Variant {
+    const char* name;
+    Arithmetic arithmetic;
+};
+constexpr std::array<Variant, 6> variants{{{"float", Arithmetic::binary32},
+                                           {"double", Arithmetic::binary64},
+                                           {"epsilon", Arithmetic::epsilon},
+                                           {"interval", Arithmetic::interval},
+                                           {"exact", Arithmetic::exact},
+                                           {"rational", Arithmetic::rational}}};
+
+/// The worst of a question's pairs.
+Outcome judge(const BenchBox& box, const std::vector<BoxAnswer>& answers) {
+    Outcome worst = Outcome::right;
+    for (std::size_t k = 0; k < box.pairs.size(); ++k) {
+        const BenchPair& pair = box.pairs[k];
+        const BoxAnswer& answer = answers[k];
+        const bool same = answer.relation == pair.relation && answer.covers == pair.covers;
+        worst = std::max(worst, !answer.decided ? Outcome::undecided : same ? Outcome::right : Outcome::wrong);
+    }
+    return worst;
+}
+
+}  // namespace
+
+void bench_boxes(const BenchSet& set, const BenchOptions& options, std::vector<BenchRow>& rows) {
+    for (const Variant& variant : variants) {
+        std::vector<BenchRow> kinds;
+        for (const auto& [kind, boxes] : set.boxes) {
+            std::vector<std::vector<BoxAnswer>> answers(boxes.size());
+            for (std::size_t k = 0; k < boxes.size(); ++k) answers[k].resize(boxes[k].pairs.size());
+            const auto ask = [&, &questions = boxes](std::size_t k) {
+                const BenchBox& box = questions[k];
+                for (std::size_t p = 0; p < box.pairs.size(); ++p)
+                    answers[k][p] = relate(set.scene, box.pairs[p].polygon, *box.box, variant.arithmetic);
+            };
+            BenchRow row = measure(boxes.size(), options, ask,
+                                   [&, &questions = boxes](std::size_t k) { return judge(questions[k], answers[k]); });
+            row.question = "box", row.variant = variant.name, row.kind = kind;
+            row.bytes = set.candidates->memory();
+            kinds.push_back(std::move(row));
+        }
+        add_rows(rows, std::move(kinds));
+    }
+}
+
+void bench_segments(const BenchSet& set, const BenchOptions& options, std::vector<BenchRow>& rows) {
+    const VisibilityOracle oracle(set.scene, *set.candidates);
+    for (const Variant& variant : variants) {
+        std::vector<BenchRow> kinds;
+        for (const auto& [kind, segments] : set.segments) {
+            std::vector<VisibilityAnswer> answers(segments.size());
+            const auto ask = [&, &questions = segments](std::size_t k) {
+                answers[k] = oracle(questions[k].segment, variant.arithmetic);
+            };
+            BenchRow row = measure(segments.size(), options, ask, [&, &questions = segments](std::size_t k) {
+                const Visibility exact = questions[k].visibility;
+                if (!answers[k].decided) return Outcome::undecided;
+                return exact == Visibility::grazing || answers[k].visibility == exact ? Outcome::right : Outcome::wrong;
+            });
+            row.question = "segment", row.variant = variant.name, row.kind = kind;
+            row.bytes = set.candidates->memory() + oracle.memory();
+            kinds.push_back(std::move(row));
+        }
+        add_rows(rows, std::move(kinds));
+    }
+}
+
+std::vector<BenchRow> bench_set(const std::string& folder, const BenchOptions& options) {
+    const BenchSet set = read_bench_set(folder, options);
+    std::vector<BenchRow> rows;
+    bench_boxes(set, options, rows);
+    bench_cgal(set, options, rows);
+    bench_segments(set, options, rows);
+    bench_embree(set, options, rows);
+    return rows;
+}
+
+BenchMachine bench_machine() {
+    BenchMachine machine{"unknown processor", "unknown compiler", COB_COMMIT};
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.rfind("model name", 0) == 0) {
+            machine.processor = line.substr(line.find(':') + 2);
+            break;
+        }
+#if defined(__clang__)
+    machine.compiler = "clang " __clang_version__;
+#elif defined(__GNUC__)
+    machine.compiler = "gcc " __VERSION__;
+#endif
+    return machine;
+}
+
+}  // namespace cob

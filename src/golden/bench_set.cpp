@@ -1,0 +1,114 @@
+#include "golden/bench_set.hpp"
+
+#include "cob/error.hpp"
+#include "cob/manifest.hpp"
+#include "cob/tables.hpp"
+#include "cob/verify/recorder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+namespace cob {
+
+namespace {
+
+std::vector<PolygonId> candidates_of(const BenchSet& set, const Box& box) {
+    std::vector<PolygonId> found;
+    set.candidates->polygons_in(box.bounds(), {&found, [](void* context, std::int32_t id) {
+                                                   static_cast<std::vector<PolygonId>*>(context)->push_back(id);
+                                                   return true;
+                                               }});
+    found.erase(std::remove(found.begin(), found.end(), box.polygon()), found.end());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void read_boxes(const std::string& folder, const BenchOptions& options, BenchSet& set) {
+    verify::detail::Tags tags(folder, "box");
+    TableReader<BoxRow> boxes(folder + "/boxes.csv");
+    TableReader<RelationRow> relations(folder + "/relations.csv");
+    BoxRow row;
+    RelationRow relation;
+    bool more = relations.next(relation);
+    while (boxes.next(row)) {
+        auto& of_kind = set.boxes[tags.of(row.box).kind];
+        const bool wanted = of_kind.size() < options.most_of_kind;
+        std::map<PolygonId, BenchPair> pairs;
+        for (; more && relation.box == row.box; more = relations.next(relation))
+            pairs[relation.polygon] = {relation.polygon, relation.relation, relation.covers};
+        if (!wanted) continue;
+        BenchBox entry{row.question, std::make_unique<Box>(row.question), {}};
+        for (const PolygonId id : candidates_of(set, *entry.box)) pairs.try_emplace(id, BenchPair{id});
+        for (const auto& [id, pair] : pairs) entry.pairs.push_back(pair);
+        of_kind.push_back(std::move(entry));
+    }
+}
+
+void read_segments(const std::string& folder, const BenchOptions& options, BenchSet& set) {
+    verify::detail::Tags tags(folder, "segment");
+    TableReader<SegmentRow> segments(folder + "/segments.csv");
+    TableReader<VisibilityRow> answers(folder + "/visibility.csv");
+    SegmentRow row;
+    VisibilityRow answer;
+    while (segments.next(row) && answers.next(answer)) {
+        auto& of_kind = set.segments[tags.of(row.segment).kind];
+        if (of_kind.size() < options.most_of_kind) of_kind.push_back({{row.from, row.to}, answer.visibility});
+    }
+}
+
+}  // namespace
+
+BenchSet read_bench_set(const std::string& folder, const BenchOptions& options) {
+    check_files(folder, read_manifest(folder + "/manifest.json"));
+    BenchSet set{read_obj(folder + "/scene.obj", {true, false}), {}, {}, {}};
+    set.candidates = make_candidates(set.scene, Source::cgal);
+    try {
+        if (std::filesystem::exists(folder + "/boxes.csv")) read_boxes(folder, options, set);
+        if (std::filesystem::exists(folder + "/segments.csv")) read_segments(folder, options, set);
+    } catch (const verify::Error& error) {
+        throw InputError(error.what());
+    }
+    return set;
+}
+
+BenchRow measure(std::size_t count, const BenchOptions& options, const std::function<void(std::size_t)>& ask,
+                 const std::function<Outcome(std::size_t)>& judge) {
+    BenchRow row;
+    row.questions = count;
+    if (count == 0) return row;
+    std::vector<double> times;
+    for (int repetition = 0; repetition < std::max(1, options.repetitions); ++repetition) {
+        const auto begin = std::chrono::steady_clock::now();
+        for (std::size_t k = 0; k < count; ++k) ask(k);
+        const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - begin;
+        times.push_back(elapsed.count() / static_cast<double>(count));
+    }
+    std::sort(times.begin(), times.end());
+    row.nanoseconds_min = times.front();
+    row.nanoseconds_median = times[times.size() / 2];
+    for (std::size_t k = 0; k < count; ++k) {
+        const Outcome outcome = judge(k);
+        row.wrong += outcome == Outcome::wrong;
+        row.undecided += outcome == Outcome::undecided;
+    }
+    return row;
+}
+
+void add_rows(std::vector<BenchRow>& rows, std::vector<BenchRow> kinds) {
+    BenchRow all;
+    for (const BenchRow& row : kinds) {
+        all.question = row.question, all.variant = row.variant, all.bytes = row.bytes;
+        all.questions += row.questions, all.wrong += row.wrong, all.undecided += row.undecided;
+        all.nanoseconds_min += row.nanoseconds_min * static_cast<double>(row.questions);
+        all.nanoseconds_median += row.nanoseconds_median * static_cast<double>(row.questions);
+    }
+    if (all.questions == 0) return;
+    all.kind = "all";
+    all.nanoseconds_min /= static_cast<double>(all.questions);
+    all.nanoseconds_median /= static_cast<double>(all.questions);
+    rows.push_back(all);
+    rows.insert(rows.end(), kinds.begin(), kinds.end());
+}
+
+}  // namespace cob

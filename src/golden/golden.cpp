@@ -1,0 +1,170 @@
+#include "cob/golden.hpp"
+
+#include "cob/arithmetic.hpp"
+#include "cob/error.hpp"
+#include "cob/files.hpp"
+#include "cob/manifest.hpp"
+#include "cob/tables.hpp"
+#include "golden/answer_shard.hpp"
+#include "golden/parameters.hpp"
+#include "golden/questions.hpp"
+#include "golden/row_codecs.hpp"
+#include "golden/scene_writer.hpp"
+#include "golden/shards.hpp"
+#include "golden/snap.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace cob {
+
+namespace {
+
+void check_ranges(const GoldenParameters& p, const GoldenOptions& options) {
+    const auto refuse = [](const char* problem, const std::string& value, const char* remedy) {
+        throw InputError(problem, {"", 0, value, remedy});
+    };
+    if (p.level < 0 || p.level > 12) refuse("level out of range", std::to_string(p.level), "choose 0 to 12");
+    if (p.edge && !(*p.edge > 0)) refuse("edge must be positive", to_text(*p.edge), "choose a length");
+    if (!(p.margin >= 0)) refuse("margin must not be negative", to_text(p.margin), "choose 0 or more");
+    if (!(p.height > 0)) refuse("height must be positive", to_text(p.height), "choose more than 0");
+    if (p.grid && std::abs(*p.grid) > 1000)
+        refuse("grid out of range", std::to_string(*p.grid), "choose -1000 to 1000");
+    if (!p.boxes && p.segments == 0 && p.hard == 0) refuse("nothing to ask", "", "ask for boxes, --segments or --hard");
+    if (options.shard_size == 0) refuse("shard size must be positive", "0", "choose 1 or more");
+    if (options.shards == 0) refuse("no shards", "0", "write --shard i/n with n of 1 or more");
+}
+
+/// Where each shard's questions begin and end: first those of boxes, then those of segments.
+struct Plan {
+    std::uint64_t boxes, segments, size;
+
+    std::uint64_t box_shards() const { return (boxes + size - 1) / size; }
+    std::uint64_t count() const { return box_shards() + (segments + size - 1) / size; }
+    ShardRange range(std::uint64_t shard) const {
+        const bool of_boxes = shard < box_shards();
+        const std::uint64_t first = (of_boxes ? shard : shard - box_shards()) * size;
+        return {of_boxes ? TagRow::Question::box : TagRow::Question::segment, first,
+                std::min(first + size, of_boxes ? boxes : segments)};
+    }
+};
+
+template <class Row>
+std::pair<std::string, std::string> table_and_header() {
+    return {RowCodec<Row>::name, std::string(RowCodec<Row>::headers.back())};
+}
+
+void move_file(const std::string& from, const std::string& to) {
+    std::error_code error;
+    std::filesystem::rename(from, to, error);
+    if (error)
+        throw InputError("cannot write", {to, 0, error.message(), "choose a folder that is writable and has room"});
+}
+
+/// Joins the shards into the set; the manifest comes last and makes it a set.
+void merge(const Shards& shards, std::uint64_t count, const std::string& folder, const SceneText& text,
+           const GoldenParameters& parameters) {
+    // Every byte of every shard is checked before anything is made of it.
+    std::vector<Manifest> parts(count);
+    tbb::parallel_for(std::uint64_t{0}, count, [&](std::uint64_t shard) { parts[shard] = shards.check(shard); });
+
+    Manifest manifest;
+    manifest.parameters = to_text(parameters);
+    manifest.counts["triangles"] = text.triangle_count;
+    for (const Manifest& part : parts)
+        for (const auto& [name, value] : part.counts) manifest.counts[name] += value;
+
+    // Made aside, so that a kill leaves nothing behind in the set.
+    const std::string aside = shards.folder() + "/merged";
+    create_folder(aside);
+    write_file(aside + "/scene.obj", text.obj);
+    write_file(aside + "/scene.mtl", text.mtl);
+    write_file(aside + "/triangles.csv", text.triangles);
+    const std::vector<std::pair<std::string, std::string>> tables{
+        table_and_header<BoxRow>(),     table_and_header<RelationRow>(), table_and_header<StateRow>(),
+        table_and_header<SegmentRow>(), table_and_header<TagRow>(),      table_and_header<VisibilityRow>()};
+    std::vector<std::string> names{"scene.obj", "scene.mtl", "triangles.csv"};
+    std::vector<char> made(tables.size(), 0);
+    tbb::parallel_for(std::size_t{0}, tables.size(), [&](std::size_t k) {
+        made[k] = shards.merge(tables[k].first, tables[k].second, count, aside + "/" + tables[k].first);
+    });
+    for (std::size_t k = 0; k < tables.size(); ++k)
+        if (made[k]) names.push_back(tables[k].first);
+
+    std::vector<ManifestFile> files(names.size());
+    tbb::parallel_for(std::size_t{0}, names.size(),
+                      [&](std::size_t k) { files[k] = describe_file(aside + "/" + names[k]); });
+    for (std::size_t k = 0; k < names.size(); ++k) manifest.files[names[k]] = files[k];
+    write_manifest(aside + "/manifest.json", manifest);
+
+    names.push_back("manifest.json");
+    for (const std::string& name : names) move_file(aside + "/" + name, folder + "/" + name);
+    shards.remove_all();
+}
+
+/// Whether the folder holds the whole set already. Throws InputError where it holds another.
+bool finished_before(const std::string& folder, const GoldenParameters& parameters, const SceneText& text) {
+    const std::string path = folder + "/manifest.json";
+    if (!std::filesystem::exists(path)) return false;
+    const Manifest manifest = read_manifest(path);
+    const auto scene = manifest.files.find("scene.obj"), materials = manifest.files.find("scene.mtl");
+    if (manifest.parameters != to_text(parameters) || scene == manifest.files.end() ||
+        scene->second.sha256 != sha256(text.obj) || materials == manifest.files.end() ||
+        materials->second.sha256 != sha256(text.mtl))
+        throw InputError("the folder holds another set", {folder, 0, "", "choose another folder, or remove this one"});
+    return true;
+}
+
+}  // namespace
+
+GoldenResult make_golden(const std::string& scene_path, const std::string& folder, const GoldenParameters& parameters,
+                         const GoldenOptions& options) {
+    check_ranges(parameters, options);
+    std::optional<tbb::global_control> limit;
+    if (options.threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+
+    // The scene, as the set will hold it.
+    const SnappedScene snapped = snap(read_obj(scene_path, {parameters.skip_invalid, false}), parameters);
+    const Scene& scene = snapped.scene;
+    const SceneText text = write_scene(scene);
+    const auto candidates = make_candidates(scene, Source::cgal);
+    const Questions questions(scene, *candidates, parameters);
+    const Plan plan{questions.box_count(), questions.segment_count(), options.shard_size};
+    GoldenResult result{plan.boxes, plan.segments, plan.count(), 0, false, snapped.report};
+
+    create_folder(folder);
+    if (finished_before(folder, parameters, text)) {
+        std::filesystem::remove_all(folder + "/shards");
+        result.finished = true;
+        return result;
+    }
+
+    // Shards, each from nothing but its range.
+    std::map<std::string, std::string> identity = to_text(parameters);
+    identity["scene"] = sha256(text.obj + text.mtl);
+    identity["shard_size"] = std::to_string(options.shard_size);
+    const Shards shards(folder, identity);
+    for (const std::string& other : options.merge) shards.take_from(other, plan.count());
+    const ShardMaker maker(scene, *candidates, questions);
+    result.finished = true;
+    for (std::uint64_t shard = 0; shard < plan.count(); ++shard) {
+        if (options.progress) options.progress(shard, plan.count());
+        if (shards.has(shard)) continue;
+        if (shard % options.shards != options.shard % options.shards) {
+            result.finished = false;
+            continue;
+        }
+        ShardMaker::Shard made = maker.make(plan.range(shard));
+        shards.put(shard, made.tables, std::move(made.counts));
+        ++result.made;
+    }
+    if (result.finished) merge(shards, plan.count(), folder, text, parameters);
+    return result;
+}
+
+}  // namespace cob
