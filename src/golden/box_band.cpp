@@ -117,6 +117,10 @@ int BoxBands::operator()(const BoxQuestion& question, Classification& result) {
 
     // Exact arithmetic decides between the bands that are left.
     int low = band_of(nearest.high), high = band_of(nearest.low);
+    if (low < high && high == highest_band) {
+        // What binary64 cannot tell from a switch mostly is one.
+        if (!stays(question, result, --high)) return highest_band;
+    }
     while (low < high) {
         const int middle = (low + high) / 2;
         if (stays(question, result, middle))
