@@ -23,13 +23,15 @@ struct AnswerOptions {
 struct AnswerSummary {
     std::uint64_t boxes = 0, relations = 0;  ///< Rows of states.csv and relations.csv.
     std::uint64_t segments = 0;              ///< Rows of visibility.csv.
+    std::uint64_t irradiances = 0;           ///< Rows of irradiance.csv.
     std::uint64_t undecided = 0;             ///< Relations, states and segments, in Arithmetic::interval.
     PredicateCounters predicates;
-    bool has_boxes = false, has_segments = false;  ///< Which questions the set has.
+    bool has_boxes = false, has_segments = false, has_points = false;  ///< Which questions the set has.
 };
 
 /// Reads scene.obj and the tables of questions that the set has, and writes their answers, and nothing else, into the
-/// folder: boxes.csv gives states.csv and relations.csv, segments.csv gives visibility.csv. Streams: memory does not
+/// folder: boxes.csv gives states.csv and relations.csv, segments.csv gives visibility.csv, points.csv gives
+/// irradiance.csv (always exactly). Streams: memory does not
 /// grow with the number of questions. The columns from and to of segments.csv must name polygons of the scene, but
 /// are not trusted: the answer is that of the two points. Throws InputError: no scene, no questions, a question that
 /// SPEC refuses, with its line.

@@ -26,7 +26,7 @@ struct AnswerCommand {
     AnswerOptions options;
 
     void add_to(CLI::App& command) {
-        command.add_option("SET", set, "Folder with scene.obj and boxes.csv or segments.csv")->required();
+        command.add_option("SET", set, "Folder with scene.obj and boxes.csv, segments.csv or points.csv")->required();
         command
             .add_option("--arithmetic", arithmetic,
                         "Arithmetic of the answers; exact: filter first, then exactly; rational: fractions alone")
@@ -47,6 +47,7 @@ struct AnswerCommand {
         if (summary.has_boxes)
             std::printf("boxes %llu, relations %llu\n", whole(summary.boxes), whole(summary.relations));
         if (summary.has_segments) std::printf("segments %llu\n", whole(summary.segments));
+        if (summary.has_points) std::printf("irradiances %llu\n", whole(summary.irradiances));
         if (summary.undecided > 0) std::printf("undecided %llu\n", whole(summary.undecided));
         std::printf("predicates: %llu filtered, %llu integer, %llu rational\n", whole(summary.predicates.filtered),
                     whole(summary.predicates.integer), whole(summary.predicates.rational));
@@ -56,9 +57,10 @@ struct AnswerCommand {
 }  // namespace
 
 void add_answer(CLI::App& app) {
-    auto& command = *app.add_subcommand(
-        "answer",
-        "Answers the questions of a set: states.csv and relations.csv for boxes, visibility.csv for segments");
+    auto& command = *app.add_subcommand("answer",
+                                        "Answers the questions of a set: states.csv and relations.csv for boxes, "
+                                        "visibility.csv for segments, irradiance.csv for "
+                                        "points");
     const auto options = std::make_shared<AnswerCommand>();
     options->add_to(command);
     command.callback([options] { options->run(); });

@@ -6,6 +6,7 @@
 #include "cob/files.hpp"
 #include "report/classify_scene.hpp"
 #include "report/classify_summary.hpp"
+#include "report/truth_report.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -20,6 +21,8 @@ struct ClassifyCommand {
     SourceOption source;
     std::string levels = "element", mode = "strict", folder;
     int threads = 0;
+    bool truth = false;
+    std::uint64_t truth_pairs = TruthOptions{}.max_pairs;
     bool states_only = false, no_boxes = false, no_relations = false, no_ply = false;
 
     void add_to(CLI::App& command) {
@@ -41,6 +44,11 @@ struct ClassifyCommand {
         command.add_flag("--no-relations", no_relations, "Leave out relations.csv: then only what is close is tested");
         command.add_flag("--no-ply", no_ply, "Leave out elements.ply");
         command.add_flag("--states-only", states_only, "Leave out all three");
+        command.add_flag("--truth", truth,
+                         "Set the states beside what is truly seen of the lights: truth.csv, truth_summary.csv");
+        command.add_option(
+            "--truth-pairs", truth_pairs,
+            "Most pairs of element and light for --truth; of more, elements at equal distances are taken");
         add_output_folder(command, folder);
     }
 
@@ -77,6 +85,18 @@ struct ClassifyCommand {
         summary.classify_seconds = watch.lap();
         summary.processor_seconds = processor_seconds() - before;
 
+        // Truth.
+        std::string truth_text;
+        if (truth) {
+            TruthOptions true_options;
+            true_options.classify = options.classify;
+            true_options.max_pairs = truth_pairs;
+            true_options.threads = threads;
+            true_options.progress = terminal_progress("truth");
+            true_options.say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+            truth_text = to_text(write_truth(elements, *candidates, folder, true_options));
+        }
+
         // Summary.
         summary.parameters = {{"scene", scene.path},
                               {"level", std::to_string(meshing.level)},
@@ -93,6 +113,7 @@ struct ClassifyCommand {
         summary.peak_bytes = peak_memory();
         write_file(folder + "/summary.json", to_json(summary));
         std::fputs(to_text(summary).c_str(), stdout);
+        std::fputs(truth_text.c_str(), stdout);
     }
 };
 

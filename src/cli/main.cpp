@@ -12,15 +12,17 @@ int main(int argc, char** argv) {
     CLI::App app{"cob: the exact reference for the Close Object Buffer", "cob"};
     app.require_subcommand(1);
     app.option_defaults()->always_capture_default();
+    cob::cli::add_answer(app);
     cob::cli::add_bench(app);
+    cob::cli::add_classify(app);
+    cob::cli::add_explain(app);
+    cob::cli::add_formfactors(app);
     cob::cli::add_golden(app);
     cob::cli::add_info(app);
+    cob::cli::add_irradiance(app);
     cob::cli::add_occlude(app);
     cob::cli::add_render(app);
     cob::cli::add_verify(app);
-    cob::cli::add_classify(app);
-    cob::cli::add_explain(app);
-    cob::cli::add_answer(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -1,6 +1,7 @@
 #include "cli/options.hpp"
 
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 
 #include <cstdio>
 
@@ -20,9 +21,15 @@ void SceneOptions::add_to(CLI::App& command) {
                      "Go on where polygons are refused: they are listed, keep their numbers and occur in no answer");
 }
 
+void SceneOptions::add_emission_to(CLI::App& command) {
+    command.add_option("--emission", emission, "What Ke means, exitance or radiance (exitance = pi radiance)")
+        ->check(CLI::IsMember({"exitance", "radiance"}));
+}
+
 Scene SceneOptions::read() const {
     ReadOptions options;
     options.skip_invalid = skip_invalid;
+    options.emission_is_radiance = emission == "radiance";
     ReadReport report;
     Scene scene = read_obj(path, options, &report);
     for (const std::string& warning : report.warnings) std::fprintf(stderr, "cob: warning: %s\n", warning.c_str());
@@ -30,6 +37,13 @@ Scene SceneOptions::read() const {
         std::fprintf(stderr, "cob: skipped polygon %d (%s:%u): %s\n", invalid.polygon, path.c_str(), invalid.line,
                      invalid.reason.c_str());
     return scene;
+}
+
+std::string table_path(const std::string& out, const std::string& name) {
+    const std::string ending = ".csv";
+    if (out.size() > ending.size() && out.compare(out.size() - ending.size(), ending.size(), ending) == 0) return out;
+    create_folder(out);
+    return out + "/" + name;
 }
 
 void MeshingOptions::add_to(CLI::App& command) {

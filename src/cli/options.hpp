@@ -20,8 +20,11 @@ Rational exact_option(const char* option, const std::string& text, bool positive
 struct SceneOptions {
     std::string path;
     bool skip_invalid = false;
+    std::string emission = "exitance";
 
     void add_to(CLI::App& command);
+    /// --emission, where photometry is asked for.
+    void add_emission_to(CLI::App& command);
     /// Reads the scene; warnings and skipped polygons go to standard error.
     Scene read() const;
 };
@@ -44,6 +47,9 @@ struct SourceOption {
     void add_to(CLI::App& command);
     Source source() const;
 };
+
+/// The path itself where it ends in .csv, else the table of that name in the folder, which is created.
+std::string table_path(const std::string& out, const std::string& name);
 
 /// --threads
 void add_threads(CLI::App& command, int& threads);

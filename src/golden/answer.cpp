@@ -1,6 +1,7 @@
 #include "golden/answer.hpp"
 
 #include "cob/files.hpp"
+#include "cob/irradiance_table.hpp"
 #include "cob/manifest.hpp"
 
 #include <filesystem>
@@ -37,8 +38,9 @@ AnswerSummary answer_set(const std::string& set, const std::string& folder, cons
     const auto has = [&](const char* table) { return std::filesystem::exists(set + "/" + table); };
     summary.has_boxes = has(table_name<BoxRow>());
     summary.has_segments = has(table_name<SegmentRow>());
-    if (!summary.has_boxes && !summary.has_segments)
-        throw InputError("set without questions", {set, 0, "", "add boxes.csv or segments.csv"});
+    summary.has_points = has(table_name<PointRow>());
+    if (!summary.has_boxes && !summary.has_segments && !summary.has_points)
+        throw InputError("set without questions", {set, 0, "", "add boxes.csv, segments.csv or points.csv"});
 
     const auto source = make_candidates(scene, options.source);
     create_folder(folder);
@@ -46,6 +48,14 @@ AnswerSummary answer_set(const std::string& set, const std::string& folder, cons
     AnswerFiles files;
     if (summary.has_boxes) answer_boxes(job, files, summary);
     if (summary.has_segments) answer_segments(job, files, summary);
+    if (summary.has_points) {
+        IrradianceTableOptions irradiance;
+        irradiance.threads = options.threads;
+        irradiance.progress = options.progress;
+        summary.irradiances = write_irradiance(scene, *source, set + "/" + table_name<PointRow>(),
+                                               folder + "/" + table_name<IrradianceRow>(), irradiance)
+                                  .rows;
+    }
     files.commit();
     return summary;
 }

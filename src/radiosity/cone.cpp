@@ -2,6 +2,8 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
+
 namespace cob::radiosity {
 namespace {
 
@@ -186,22 +188,26 @@ SplitCone split(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef pla
     return result;
 }
 
-void subtract(const PlanesThroughPoint& planes, std::vector<Cone>& cones, const Cone& shadow) {
-    std::vector<Cone> rest;
-    rest.reserve(cones.size());
-    for (Cone& cone : cones) {
-        if (separates(planes, shadow, cone) || separates(planes, cone, shadow)) {
-            rest.push_back(std::move(cone));
-            continue;
-        }
-        std::optional<Cone> inside = std::move(cone);
-        for (std::size_t k = 0; k < shadow.planes.size() && inside; ++k) {
-            SplitCone parts = split(planes, *inside, shadow.planes[k]);
-            if (parts.negative) rest.push_back(std::move(*parts.negative));
-            inside = std::move(parts.positive);
-        }
+void subtract(const PlanesThroughPoint& planes, const Cone& cone, std::vector<const Cone*> shadows,
+              std::vector<Cone>& rest) {
+    // Each part goes on with the shadows that meet it alone, so that far ones are not asked again and again.
+    shadows.erase(std::remove_if(shadows.begin(), shadows.end(),
+                                 [&](const Cone* shadow) {
+                                     return separates(planes, *shadow, cone) || separates(planes, cone, *shadow);
+                                 }),
+                  shadows.end());
+    if (shadows.empty()) {
+        rest.push_back(cone);
+        return;
     }
-    cones = std::move(rest);
+    const Cone& shadow = *shadows.front();
+    const std::vector<const Cone*> others(shadows.begin() + 1, shadows.end());
+    std::optional<Cone> inside = cone;
+    for (std::size_t k = 0; k < shadow.planes.size() && inside; ++k) {
+        SplitCone parts = split(planes, *inside, shadow.planes[k]);
+        if (parts.negative) subtract(planes, *parts.negative, others, rest);
+        inside = std::move(parts.positive);
+    }
 }
 
 }  // namespace cob::radiosity

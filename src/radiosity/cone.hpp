@@ -96,8 +96,9 @@ struct SplitCone {
 };
 SplitCone split(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane);
 
-/// Replaces cones without common inside by what of them lies outside the shadow, likewise; what has no inside is
-/// dropped.
-void subtract(const PlanesThroughPoint& planes, std::vector<Cone>& cones, const Cone& shadow);
+/// Appends to `rest` what of the cone lies outside all shadows, as cones without common inside; what has no inside is
+/// dropped. Large shadows should come first.
+void subtract(const PlanesThroughPoint& planes, const Cone& cone, std::vector<const Cone*> shadows,
+              std::vector<Cone>& rest);
 
 }  // namespace cob::radiosity

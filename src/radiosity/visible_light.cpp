@@ -50,28 +50,29 @@ double apparent_size(const Viewpoint& viewpoint, PieceId piece) {
     return std::abs(viewpoint.height_over(piece).value) / (distance * distance * distance);
 }
 
-struct Shadow {
-    double size;
-    PieceId piece;
-};
-
-/// Cuts away what is hidden of the cones over one piece of the light.
-void remove_hidden(PlanesThroughPoint& planes, std::vector<Cone>& cones, PieceId light,
-                   const std::vector<PieceId>& on_top, const std::vector<PieceId>& occluders) {
+/// Appends what is seen of the cone over one piece of the light.
+void append_visible(PlanesThroughPoint& planes, const Cone& cone, PieceId light, const std::vector<PieceId>& on_top,
+                    const std::vector<PieceId>& occluders, std::vector<Cone>& visible) {
     const Viewpoint& viewpoint = planes.viewpoint();
-    const Cone whole = cones.front();
-    for (PieceId sheet : on_top) {
-        if (misses(planes, whole, viewpoint.pieces().corners(sheet))) continue;
-        if (const auto cone = planes.over(sheet)) subtract(planes, cones, *cone);
-    }
-    boost::container::small_vector<Shadow, 16> shadows;
+    struct Shadow {
+        double size;
+        PieceId piece;
+        Cone cone;
+    };
+    std::vector<Shadow> shadows;
+    for (PieceId sheet : on_top)
+        if (!misses(planes, cone, viewpoint.pieces().corners(sheet)))
+            if (auto hidden = planes.over(sheet))
+                shadows.push_back({apparent_size(viewpoint, sheet), sheet, std::move(*hidden)});
     for (PieceId occluder : occluders)
-        if (occluder != light && !misses(planes, whole, viewpoint.pieces().corners(occluder)))
-            shadows.push_back({apparent_size(viewpoint, occluder), occluder});
+        if (occluder != light && !misses(planes, cone, viewpoint.pieces().corners(occluder)))
+            if (auto shadow = shadow_of(planes, occluder, light))
+                shadows.push_back({apparent_size(viewpoint, occluder), occluder, std::move(*shadow)});
+    std::vector<const Cone*> largest_first;
     std::sort(shadows.begin(), shadows.end(),
               [](const Shadow& a, const Shadow& b) { return a.size != b.size ? a.size > b.size : a.piece < b.piece; });
-    for (std::size_t k = 0; k < shadows.size() && !cones.empty(); ++k)
-        if (const auto shadow = shadow_of(planes, shadows[k].piece, light)) subtract(planes, cones, *shadow);
+    for (const Shadow& shadow : shadows) largest_first.push_back(&shadow.cone);
+    subtract(planes, cone, std::move(largest_first), visible);
 }
 
 ConeInNumbers<double> in_binary64(const PlanesThroughPoint& planes, const Cone& cone) {
@@ -185,12 +186,10 @@ LightView view_light(const Viewpoint& viewpoint, const ReceiverNormal& normal, c
         if (viewpoint.side_of(piece) != Sign::positive) continue;
         std::optional<Cone> cone = split(planes, *planes.over(piece), horizon).positive;
         if (!cone) continue;
-        std::vector<Cone> cones{*cone};
-        remove_hidden(planes, cones, piece, light.on_top, occluders);
-        untouched = untouched && cones.size() == 1 && cones.front().planes.size() == cone->planes.size() &&
-                    std::equal(cones.front().planes.begin(), cones.front().planes.end(), cone->planes.begin());
+        const std::size_t before = visible.size();
+        append_visible(planes, *cone, piece, light.on_top, occluders, visible);
+        untouched = untouched && visible.size() == before + 1 && visible.back().planes == cone->planes;
         all.push_back(std::move(*cone));
-        std::move(cones.begin(), cones.end(), std::back_inserter(visible));
     }
     LightView view;
     view.parts = static_cast<int>(visible.size());

@@ -1,0 +1,242 @@
+#include "cob/form_factors.hpp"
+
+#include "cob/error.hpp"
+#include "radiosity/piece_pair.hpp"
+#include "radiosity/plane_sheets.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+namespace cob {
+
+using namespace radiosity;
+
+namespace {
+
+/// Added to every error: areas, sums and quotients are rounded, and so are the closed forms in binary64 that values
+/// are compared with, whose terms cancel.
+constexpr double rounding = 1e-12;
+
+/// Two polygons, the smaller first, and the pairs of their pieces that may exchange light.
+struct PolygonPair {
+    PolygonId smaller = 0, larger = 0;
+    std::vector<PiecePair> pieces;
+
+    bool has(Passage passage) const {
+        return std::any_of(pieces.begin(), pieces.end(), [&](const PiecePair& p) { return p.passage == passage; });
+    }
+};
+
+struct PairFlux {
+    Integral flux;
+    std::uint64_t evaluations = 0;
+};
+
+/// Tells progress from many threads, one at a time.
+class Counter {
+public:
+    Counter(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
+    void step() {
+        if (!progress_) return;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        progress_(++done_, total_);
+    }
+
+private:
+    const Progress& progress_;
+    std::uint64_t total_, done_ = 0;
+    std::mutex mutex_;
+};
+
+template <class F>
+void in_parallel(int threads, std::size_t count, const F& f) {
+    const auto run = [&] { tbb::parallel_for(std::size_t{0}, count, f); };
+    if (threads == 0)
+        run();
+    else
+        tbb::task_arena(threads).execute(run);
+}
+
+}  // namespace
+
+struct FormFactorMatrix::Implementation {
+    Implementation(const Scene& s, const CandidateSource& c, const FormFactorOptions& o)
+        : scene(s), candidates(c), options(o), pieces(s), context{scene, candidates, pieces, polygons} {
+        for (PolygonId polygon = 0; polygon < scene.polygon_count(); ++polygon) polygons.push_back(parts_of(polygon));
+    }
+
+    PolygonParts parts_of(PolygonId polygon) const {
+        PolygonParts parts;
+        const Polygon& shape = scene.polygon(polygon);
+        for (std::uint32_t k = 0; k < shape.piece_count; ++k) {
+            parts.pieces.push_back(static_cast<PieceId>(shape.first_piece + k));
+            ConvexPolygon scaled = polygon_of(scene, scene.piece(parts.pieces.back()));
+            for (RationalPoint& corner : scaled) corner = Rational(pieces.scale()) * corner;
+            parts.area += area(scaled);
+        }
+        for (PolygonId sheet : sheets_on_top(scene, polygon, candidates))
+            for (std::uint32_t k = 0; k < scene.polygon(sheet).piece_count; ++k)
+                parts.on_top.push_back(static_cast<PieceId>(scene.polygon(sheet).first_piece + k));
+        return parts;
+    }
+
+    void check(PolygonId polygon) const {
+        if (polygon < 0 || polygon >= scene.polygon_count() || !scene.polygon(polygon).valid)
+            throw InputError("no such polygon", {scene.name(), 0, std::to_string(polygon),
+                                                 "give numbers from 0 to " + std::to_string(scene.polygon_count() - 1) +
+                                                     " of valid polygons"});
+    }
+
+    PolygonPair prepare(PolygonId i, PolygonId j) const {
+        PolygonPair pair;
+        const bool keep = polygons[i].area < polygons[j].area || (polygons[i].area == polygons[j].area && i <= j);
+        pair.smaller = keep ? i : j, pair.larger = keep ? j : i;
+        for (PieceId a : polygons[pair.smaller].pieces)
+            for (PieceId b : polygons[pair.larger].pieces) {
+                if (a == b || (i == j && a > b)) continue;
+                PiecePair part = make_pair(context, a, b);
+                if (part.passage != Passage::not_facing) pair.pieces.push_back(std::move(part));
+            }
+        return pair;
+    }
+
+    /// A_i F_ij of a pair; receiving at the larger polygon instead where turned.
+    PairFlux flux(const PolygonPair& pair, bool turned) const;
+
+    const Scene& scene;
+    const CandidateSource& candidates;
+    FormFactorOptions options;
+    PreparedPieces pieces;
+    std::vector<PolygonParts> polygons;
+    PairContext context;
+    std::vector<PolygonPair> pairs;
+};
+
+PairFlux FormFactorMatrix::Implementation::flux(const PolygonPair& pair, bool turned) const {
+    PairFlux sum;
+    const double parts = static_cast<double>(std::max<std::size_t>(1, pair.pieces.size()));
+    QuadratureOptions quadrature;
+    quadrature.tolerance = 0.5 * options.tolerance * polygons[pair.smaller].area / parts;
+    quadrature.max_evaluations = options.certified ? options.max_subdivisions : options.max_evaluations;
+    const auto integrate = options.certified ? certified_flux : flux_between;
+    for (const PiecePair& part : pair.pieces) {
+        const QuadratureResult result =
+            turned ? integrate(context, make_pair(context, part.light, part.receiver), quadrature)
+                   : integrate(context, part, quadrature);
+        sum.flux.value += result.visible.value;
+        sum.flux.error += result.visible.error;
+        sum.evaluations += result.evaluations;
+    }
+    if (pair.smaller == pair.larger) sum.flux.value *= 2, sum.flux.error *= 2;  // each pair of pieces, both ways
+    return sum;
+}
+
+FormFactorMatrix::FormFactorMatrix(const Scene& scene, const CandidateSource& candidates,
+                                   const FormFactorOptions& options)
+    : implementation_(std::make_unique<Implementation>(scene, candidates, options)) {}
+FormFactorMatrix::~FormFactorMatrix() = default;
+
+FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, PolygonId>>& asked,
+                                      const Progress& progress) {
+    Implementation& self = *implementation_;
+    std::vector<std::pair<PolygonId, PolygonId>> pairs;
+    for (const auto& [i, j] : asked) {
+        self.check(i), self.check(j);
+        pairs.emplace_back(std::min(i, j), std::max(i, j));
+    }
+    if (asked.empty())
+        for (PolygonId i = 0; i < self.scene.polygon_count(); ++i)
+            for (PolygonId j = i; j < self.scene.polygon_count(); ++j)
+                if (self.scene.polygon(i).valid && self.scene.polygon(j).valid) pairs.emplace_back(i, j);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+
+    self.pairs.assign(pairs.size(), {});
+    Counter counter(progress, pairs.size());
+    in_parallel(self.options.threads, pairs.size(), [&](std::size_t k) {
+        self.pairs[k] = self.prepare(pairs[k].first, pairs[k].second);
+        counter.step();
+    });
+
+    FormFactorPlan plan;
+    plan.pairs = pairs.size();
+    std::uint64_t obstructed_parts = 0;
+    std::vector<const PiecePair*> timed;
+    for (const PolygonPair& pair : self.pairs) {
+        const bool obstructed = pair.has(Passage::obstructed), free = pair.has(Passage::unobstructed);
+        ++(pair.pieces.empty() ? plan.not_facing
+           : obstructed        ? plan.obstructed
+           : free              ? plan.unobstructed
+                               : plan.hidden);
+        for (const PiecePair& part : pair.pieces)
+            if (part.passage == Passage::obstructed) {
+                ++obstructed_parts;
+                plan.occluders += static_cast<double>(part.occluders.size());
+                timed.push_back(&part);
+            }
+    }
+    if (obstructed_parts == 0) return plan;
+    plan.occluders /= static_cast<double>(obstructed_parts);
+    // A few are timed; some 500 values a pair are usual at 1e-6 and a few occluders, more of both take more.
+    const std::size_t samples = std::min<std::size_t>(timed.size(), self.options.certified ? 4 : 32);
+    const std::uint64_t budget = std::min<std::uint64_t>(self.options.max_subdivisions, 50);
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < samples; ++k) {
+        const PiecePair& pair = *timed[k * timed.size() / samples];
+        if (self.options.certified)
+            certified_flux(self.context, pair, {self.options.tolerance * self.polygons[0].area, budget});
+        else
+            sample_point(self.context, pair);
+    }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    const double values = self.options.certified
+                              ? static_cast<double>(self.options.max_subdivisions) / static_cast<double>(budget)
+                              : std::min((300 + 100 * plan.occluders) * std::pow(1e-6 / self.options.tolerance, 0.4),
+                                         static_cast<double>(self.options.max_evaluations));
+    plan.seconds = spent.count() / static_cast<double>(samples) * values * static_cast<double>(obstructed_parts);
+    return plan;
+}
+
+FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
+    const Implementation& self = *implementation_;
+    std::vector<std::array<PairFlux, 2>> fluxes(self.pairs.size());
+    Counter counter(progress, self.pairs.size());
+    in_parallel(self.options.threads, self.pairs.size(), [&](std::size_t k) {
+        fluxes[k][0] = self.flux(self.pairs[k], false);
+        if (self.options.both_sides) fluxes[k][1] = self.flux(self.pairs[k], true);
+        counter.step();
+    });
+
+    FormFactorResult result;
+    const auto add = [&](PolygonId from, PolygonId to, const Integral& flux) {
+        const double value = flux.value / self.polygons[from].area;
+        const double error = flux.error / self.polygons[from].area + rounding;
+        if (!(value > 0)) return;
+        result.values.push_back({from, to, std::min(value, 1.0), error});
+        if (error > self.options.tolerance) ++result.above_goal;
+    };
+    for (std::size_t k = 0; k < fluxes.size(); ++k) {
+        const PolygonPair& pair = self.pairs[k];
+        const Integral &one = fluxes[k][0].flux, &two = self.options.both_sides ? fluxes[k][1].flux : one;
+        result.evaluations += fluxes[k][0].evaluations + fluxes[k][1].evaluations;
+        add(pair.smaller, pair.larger, one);
+        if (pair.smaller == pair.larger) continue;
+        add(pair.larger, pair.smaller, two);
+        if (!self.options.both_sides || one.value + two.value == 0) continue;
+        const double difference = std::abs(one.value - two.value);
+        result.reciprocity = std::max(result.reciprocity, difference / self.polygons[pair.smaller].area);
+        const double errors = one.error + two.error + rounding * self.polygons[pair.smaller].area;
+        result.reciprocity_in_errors = std::max(result.reciprocity_in_errors, difference / errors);
+    }
+    std::sort(result.values.begin(), result.values.end(), [](const FormFactor& a, const FormFactor& b) {
+        return std::pair(a.from, a.to) < std::pair(b.from, b.to);
+    });
+    return result;
+}
+
+}  // namespace cob

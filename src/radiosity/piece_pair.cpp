@@ -1,0 +1,187 @@
+#include "radiosity/piece_pair.hpp"
+
+#include "geometry/patch_refinement.hpp"
+
+#include <algorithm>
+
+namespace cob::radiosity {
+namespace {
+
+/// The patch of a convex part.
+ConvexPatch patch_of(const ConvexPolygon& polygon) {
+    ConvexPatch patch;
+    for (const RationalPoint& corner : polygon) patch.corners.emplace_back(corner);
+    return patch;
+}
+
+/// What of a piece lies on top in its own plane.
+std::vector<ConvexPolygon> uncovered(const PairContext& context, const ConvexPolygon& polygon, PolygonId owner) {
+    std::vector<ConvexPolygon> parts{polygon};
+    for (PieceId sheet : context.polygons[owner].on_top)
+        subtract(parts, polygon_of(context.scene, context.scene.piece(sheet)));
+    return parts;
+}
+
+std::vector<PieceId> pieces_in(const PairContext& context, const Shaft& shaft) {
+    struct Search {
+        const PairContext& context;
+        const Shaft& shaft;
+        std::vector<PieceId> found;
+    } search{context, shaft, {}};
+    context.candidates.polygons_in(shaft.bounds(),
+                                   {&search, [](void* data, std::int32_t polygon) {
+                                        auto& s = *static_cast<Search*>(data);
+                                        for (PieceId piece : s.context.polygons[polygon].pieces)
+                                            if (s.shaft.meets(s.context.scene, s.context.scene.piece(piece)))
+                                                s.found.push_back(piece);
+                                        return true;
+                                    }});
+    std::sort(search.found.begin(), search.found.end());
+    return std::move(search.found);
+}
+
+bool some_polygon_lies_across(const Scene& scene, const std::vector<PieceId>& pieces, const ConvexPatch& a,
+                              const ConvexPatch& b) {
+    PolygonId last = no_polygon;
+    for (PieceId piece : pieces) {
+        if (lies_across(scene, scene.piece(piece), a, b)) return true;
+        const PolygonId polygon = scene.piece(piece).polygon;
+        if (polygon != last && scene.polygon(polygon).piece_count > 1 &&
+            planar_polygon_lies_across(scene, polygon, a, b))
+            return true;
+        last = polygon;
+    }
+    return false;
+}
+
+std::vector<Vector3<double>> relative(const ReceiverFrame& frame, const ConvexPolygon& polygon) {
+    std::vector<Vector3<double>> corners;
+    for (const RationalPoint& corner : polygon) corners.push_back(frame.relative(corner));
+    return corners;
+}
+
+std::vector<Outline> outlines(const Scene& scene, const std::vector<PieceId>& occluders, const ReceiverFrame& frame) {
+    std::vector<Outline> result;
+    for (std::size_t k = 0; k < occluders.size();) {
+        const PolygonId polygon = scene.piece(occluders[k]).polygon;
+        std::vector<PieceId> pieces;
+        for (; k < occluders.size() && scene.piece(occluders[k]).polygon == polygon; ++k)
+            pieces.push_back(occluders[k]);
+        result.push_back(outline_of(scene, pieces, frame));
+    }
+    return result;
+}
+
+QuadratureResult unobstructed_flux(const PiecePair& pair, const ReceiverFrame& frame) {
+    QuadratureResult result;
+    for (const ConvexPolygon& a : pair.receiving)
+        for (const ConvexPolygon& b : pair.sending) {
+            const Integral part = mutual_flux(relative(frame, a), relative(frame, b));
+            result.visible.value += part.value, result.visible.error += part.error;
+        }
+    return result;
+}
+
+}  // namespace
+
+PiecePair make_pair(const PairContext& context, PieceId receiver, PieceId light) {
+    const Scene& scene = context.scene;
+    PiecePair pair;
+    pair.receiver = receiver, pair.light = light;
+    const ConvexPolygon a = polygon_of(scene, scene.piece(receiver)), b = polygon_of(scene, scene.piece(light));
+    const ConvexPolygon front_a = clip(a, front_of(b)), front_b = clip(b, front_of(a));
+    if (front_a.empty() || front_b.empty()) return pair;
+    pair.receiving = uncovered(context, front_a, scene.piece(receiver).polygon);
+    pair.sending = uncovered(context, front_b, scene.piece(light).polygon);
+    pair.whole_sending = front_b;
+    if (pair.receiving.empty() || pair.sending.empty()) {
+        pair.passage = Passage::hidden;
+        return pair;
+    }
+    const ConvexPatch patch_a = patch_of(front_a), patch_b = patch_of(front_b);
+    pair.occluders = pieces_in(context, Shaft(patch_a, patch_b));
+    pair.passage = pair.occluders.empty()                                              ? Passage::unobstructed
+                   : some_polygon_lies_across(scene, pair.occluders, patch_a, patch_b) ? Passage::hidden
+                                                                                       : Passage::obstructed;
+    return pair;
+}
+
+QuadratureResult flux_between(const PairContext& context, const PiecePair& pair, const QuadratureOptions& options) {
+    if (pair.passage == Passage::not_facing || pair.passage == Passage::hidden) return {};
+    const ConvexPolygon plane = polygon_of(context.scene, context.scene.piece(pair.receiver));
+    const ReceiverFrame frame(plane, context.pieces.scale());
+    if (pair.passage == Passage::unobstructed) return unobstructed_flux(pair, frame);
+
+    // What is seen, at points and, nothing between, over triangles.
+    const ReceiverNormal normal(area_vector(plane));
+    const LightPieces light{{pair.light}, context.polygons[context.scene.piece(pair.light).polygon].on_top};
+    const std::vector<Vector3<double>> sender = relative(frame, pair.whole_sending);
+    ReceiverIntegrand integrand;
+    integrand.at_point = [&](const Point2D& where) {
+        const LightView view = view_light(Viewpoint(context.pieces, frame.point_at(where)), normal, light,
+                                          pair.occluders, Precision::binary64);
+        return PointValue{view.unobstructed, view.visible};
+    };
+    integrand.unobstructed = [&](const Triangle2D& t) {
+        return mutual_flux({frame.relative_at(t[0]), frame.relative_at(t[1]), frame.relative_at(t[2])}, sender);
+    };
+
+    // Where its shape changes.
+    std::vector<PieceId> sheets_and_light = light.on_top;
+    sheets_and_light.push_back(pair.light);
+    Outline light_outline = outline_of(context.scene, sheets_and_light, frame);
+    const std::vector<ShadowLine> lines = shadow_lines(light_outline, outlines(context.scene, pair.occluders, frame));
+    std::vector<std::vector<Point2D>> regions;
+    for (const ConvexPolygon& part : pair.receiving) {
+        regions.emplace_back();
+        for (const RationalPoint& corner : part) {
+            const Vector3<double> local = frame.local(corner);
+            regions.back().push_back({local.x, local.y});
+        }
+    }
+    return integrate_visible(regions, lines, integrand, options);
+}
+
+QuadratureResult certified_flux(const PairContext& context, const PiecePair& pair, const QuadratureOptions& options) {
+    if (pair.passage == Passage::not_facing || pair.passage == Passage::hidden) return {};
+    const ReceiverFrame frame(polygon_of(context.scene, context.scene.piece(pair.receiver)), context.pieces.scale());
+    // Nothing in between, a part's integral is known but for rounding; four times its estimate is well on the safe
+    // side.
+    const auto measure = [&frame](const PatchPair& part, const PatchPair&) {
+        const auto corners = [&frame](const ConvexPatch& patch) {
+            std::vector<Vector3<double>> result;
+            for (const ExactPoint& corner : patch.corners) result.push_back(frame.relative(corner.rational()));
+            return result;
+        };
+        const Integral flux = mutual_flux(corners(part.a), corners(part.b));
+        return Range{std::max(0.0, flux.value - 4 * flux.error), flux.value + 4 * flux.error};
+    };
+    std::vector<PatchPair> pairs;
+    for (const ConvexPolygon& a : pair.receiving)
+        for (const ConvexPolygon& b : pair.sending)
+            for (const ConvexPatch& part_a : triangles_of(a))
+                for (const ConvexPatch& part_b : triangles_of(b)) {
+                    pairs.push_back({part_a, part_b, {}, pair.occluders});
+                    pairs.back().measure = measure(pairs.back(), pairs.back());
+                }
+    RefinementOptions refinement;
+    refinement.width = 2 * options.tolerance;
+    refinement.max_pairs = options.max_evaluations;
+    const Refinement refined = refine(context.scene, std::move(pairs), measure, {}, refinement);
+    const double low = refined.clear.low, high = (refined.clear.high + refined.open) * (1 + 0x1p-50);
+    QuadratureResult result;
+    result.visible = {(low + high) / 2, (high - low) / 2 * (1 + 0x1p-50) + 0x1p-50 * high};
+    result.evaluations = refined.pairs;
+    return result;
+}
+
+LightView sample_point(const PairContext& context, const PiecePair& pair) {
+    const ConvexPolygon plane = polygon_of(context.scene, context.scene.piece(pair.receiver));
+    RationalPoint middle;
+    for (const RationalPoint& corner : pair.receiving.front()) middle = middle + corner;
+    middle = Rational(1, static_cast<long>(pair.receiving.front().size())) * middle;
+    return view_light(Viewpoint(context.pieces, ExactPoint(middle).nearest()), ReceiverNormal(area_vector(plane)),
+                      {{pair.light}, {}}, pair.occluders, Precision::binary64);
+}
+
+}  // namespace cob::radiosity

@@ -1,0 +1,42 @@
+/// \file
+/// The flux that a receiver gets from an obstructed light: adaptive cubature of the exact values at its points,
+/// over triangles that are split along shadow lines before anything else.
+#pragma once
+
+#include "radiosity/contour.hpp"
+#include "radiosity/shadow_lines.hpp"
+
+#include <array>
+#include <functional>
+
+namespace cob::radiosity {
+
+using Triangle2D = std::array<Point2D, 3>;
+
+/// What is seen of the light from one point: form factors.
+struct PointValue {
+    double unobstructed = 0, visible = 0;
+};
+
+struct ReceiverIntegrand {
+    std::function<PointValue(const Point2D&)> at_point;
+    std::function<Integral(const Triangle2D&)> unobstructed;  ///< Integral over a triangle, in closed form.
+};
+
+struct QuadratureOptions {
+    double tolerance = 1e-6;                 ///< Of the integral, absolute.
+    std::uint64_t max_evaluations = 200000;  ///< Points; beyond, the error is what it is.
+};
+
+struct QuadratureResult {
+    Integral visible;  ///< The error bounds what the rules differ by, doubled.
+    std::uint64_t evaluations = 0;
+    std::uint64_t cells = 0;
+};
+
+/// Integrates the visible form factor over convex regions of the receiver's plane.
+QuadratureResult integrate_visible(const std::vector<std::vector<Point2D>>& regions,
+                                   const std::vector<ShadowLine>& lines, const ReceiverIntegrand& integrand,
+                                   const QuadratureOptions& options);
+
+}  // namespace cob::radiosity

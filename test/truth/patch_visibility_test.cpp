@@ -1,0 +1,118 @@
+// Visibility between convex patches: exact relations on the ladder of degeneracy, certified bounds of the fraction.
+#include "cob/patch_visibility.hpp"
+
+#include "truth/rooms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cob {
+namespace {
+
+using test::EveryPolygon;
+using test::RoomBuilder;
+
+// Between the scene's polygons 0 and 1.
+PatchAnswer between(const RoomBuilder& room, const PatchOptions& options = {}) {
+    const Scene scene = room.build();
+    const EveryPolygon everything(scene);
+    return PatchVisibility(scene, everything)(patch_of(scene, scene.piece(0)), patch_of(scene, scene.piece(1)),
+                                              options);
+}
+
+RoomBuilder two_squares() {
+    return RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(0, 0, 1, 1, 1, false);
+}
+
+// "visible: no piece meets the interior of the convex hull": what touches it from outside does not.
+TEST(PatchVisibility, VisibleIsExact) {
+    EXPECT_EQ(between(two_squares()).relation, PatchRelation::visible);
+    EXPECT_EQ(between(two_squares().sheet(1, 0, 2, 1, 0.5, true)).relation, PatchRelation::visible);
+    EXPECT_EQ(between(two_squares().sheet(-3, -3, 3, 3, 0, true)).relation, PatchRelation::visible);
+    EXPECT_EQ(between(two_squares().sheet(-3, -3, 3, 3, 1, true)).relation, PatchRelation::visible);
+    EXPECT_EQ(between(two_squares().polygon({{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}})).relation,
+              PatchRelation::visible);
+    EXPECT_EQ(between(two_squares().polygon({{1, 1, 0.5}, {2, 1, 0.5}, {1, 2, 0.5}})).relation, PatchRelation::visible);
+    // Touching an edge of the hull from outside, and past no one facet: only a plane through its side separates it.
+    EXPECT_EQ(between(two_squares().polygon({{1.5, 0.5, 0.5}, {1.5, 1.5, 0.5}, {0.5, 1.5, 0.5}})).relation,
+              PatchRelation::visible);
+    const double inside = std::nextafter(1.0, 0.0);
+    const PatchAnswer sliver = between(two_squares().sheet(inside, 0, 2, 1, 0.5, true), {0.3, 0, 500});
+    EXPECT_NE(sliver.relation, PatchRelation::visible);
+    EXPECT_NE(sliver.relation, PatchRelation::hidden);
+    EXPECT_TRUE(sliver.clear.has_value());
+}
+
+// "hidden: some one polygon lies across every segment"
+TEST(PatchVisibility, HiddenIsExact) {
+    EXPECT_EQ(between(two_squares().sheet(0, 0, 1, 1, 0.5, true)).relation, PatchRelation::hidden);
+    EXPECT_EQ(between(two_squares().sheet(0, 0, 1, 1, 0.5, false)).blocker, 2);
+    EXPECT_EQ(between(two_squares().sheet(0, 0, std::nextafter(1.0, 0.0), 1, 0.5, true), {0.3, 0, 500}).relation ==
+                  PatchRelation::hidden,
+              false);
+    // An L of two triangles and more covers by its pieces together.
+    const RoomBuilder el =
+        two_squares().polygon({{-1, -1, 0.5}, {3, -1, 0.5}, {3, 2, 0.5}, {2, 2, 0.5}, {2, 1.5, 0.5}, {-1, 1.5, 0.5}});
+    EXPECT_EQ(between(el).relation, PatchRelation::hidden);
+    // Two half sheets hide everything, too, but no one does; the fraction says so.
+    const PatchAnswer halves =
+        between(two_squares().sheet(0, 0, 0.5, 1, 0.5, true).sheet(0.5, 0, 1, 1, 0.5, true), {0.2, 0, 3000});
+    EXPECT_NE(halves.relation, PatchRelation::hidden);
+    EXPECT_EQ(halves.lower, 0);
+    EXPECT_LE(halves.upper, 0.4);
+    EXPECT_FALSE(halves.clear.has_value());
+}
+
+// Pairs (p, q) with (p + q) / 2 in [1/4, 3/4]: 3/4 of them along each axis, so 7/16 of the segments pass.
+TEST(PatchVisibility, BoundsHoldAndTighten) {
+    double width = 1;
+    for (std::uint64_t budget : {50, 500, 5000}) {
+        const PatchAnswer answer = between(two_squares().sheet(0.25, 0.25, 0.75, 0.75, 0.5, true), {0, 0, budget});
+        EXPECT_EQ(answer.relation, PatchRelation::partial);
+        EXPECT_LE(answer.lower, 7.0 / 16);
+        EXPECT_GE(answer.upper, 7.0 / 16);
+        EXPECT_LT(answer.upper - answer.lower, width);
+        width = answer.upper - answer.lower;
+    }
+    EXPECT_LT(width, 0.35);
+}
+
+TEST(PatchVisibility, WitnessesAreWhatTheySay) {
+    const RoomBuilder room = two_squares().sheet(0.25, 0.25, 0.75, 0.75, 0.5, true);
+    const Scene scene = room.build();
+    const EveryPolygon everything(scene);
+    const VisibilityOracle oracle(scene, everything);
+    const PatchAnswer answer = between(room);
+    ASSERT_TRUE(answer.clear && answer.blocked);
+    EXPECT_EQ(oracle(*answer.clear), Visibility::clear);
+    EXPECT_EQ(oracle(*answer.blocked), Visibility::blocked);
+}
+
+// "Point lights are the one-point case": the half plate's shadow has its edge where the line of sight puts it.
+TEST(PatchVisibility, PointLight) {
+    const Scene scene = RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(-1, -1, 0.5, 2, 0.5, true).build();
+    const EveryPolygon everything(scene);
+    const PatchVisibility visibility(scene, everything);
+    const ConvexPatch floor = patch_of(scene, scene.piece(0));
+    const PatchAnswer half = visibility(floor, patch_of(ExactPoint(Point{0.25, 0.5, 1})), {0.05, 0, 20000});
+    EXPECT_EQ(half.relation, PatchRelation::partial);
+    EXPECT_LE(half.lower, 0.25);
+    EXPECT_GE(half.upper, 0.25);
+    EXPECT_LE(half.upper - half.lower, 0.05);
+    EXPECT_EQ(visibility(floor, patch_of(ExactPoint(Point{0, 0.5, 1}))).relation, PatchRelation::hidden);
+    EXPECT_EQ(visibility(floor, patch_of(ExactPoint(Point{0.5, 0.5, 0.25}))).relation, PatchRelation::visible);
+    EXPECT_FALSE(visibility(floor, patch_of(ExactPoint(Point{0.5, 0.5, -1}))).facing);
+}
+
+TEST(PatchVisibility, OnlyFacingPairsCount) {
+    EXPECT_FALSE(between(RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(0, 0, 1, 1, 1, true)).facing);
+    EXPECT_FALSE(between(RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(2, 0, 3, 1, 0, true)).facing);
+    // A wall half below the floor: what is below does not count, and the floor itself hides nothing of the rest.
+    EXPECT_EQ(between(RoomBuilder().sheet(0, 0, 1, 1, 0, true).polygon({{0, 0, -1}, {0, 1, -1}, {0, 1, 1}, {0, 0, 1}}))
+                  .relation,
+              PatchRelation::visible);
+}
+
+}  // namespace
+}  // namespace cob
