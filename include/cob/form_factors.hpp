@@ -32,7 +32,7 @@ struct FormFactorOptions {
     int threads = 0;  ///< 0: all cores. The result does not depend on it.
 };
 
-struct FormFactor {
+struct PolygonFormFactor {
     PolygonId from = 0, to = 0;
     double value = 0;  ///< F_from,to, in (0, 1].
     double error = 0;  ///< At least the distance to the true value; guaranteed where certified.
@@ -50,9 +50,9 @@ struct FormFactorPlan {
 };
 
 struct FormFactorResult {
-    std::vector<FormFactor> values;  ///< All that are not zero, ascending by from, then to.
-    std::uint64_t evaluations = 0;   ///< Exact point values, or pairs of patches where certified.
-    std::uint64_t above_goal = 0;    ///< Values whose error stayed above the tolerance.
+    std::vector<PolygonFormFactor> values;  ///< All that are not zero, ascending by from, then to.
+    std::uint64_t evaluations = 0;          ///< Exact point values, or pairs of patches where certified.
+    std::uint64_t above_goal = 0;           ///< Values whose error stayed above the tolerance.
     /// With both_sides: the largest |A_i F_ij - A_j F_ji| / min(A_i, A_j), and the largest share of it in the sum
     /// of both errors so weighted (at most 1 where the errors hold).
     double reciprocity = 0, reciprocity_in_errors = 0;

@@ -56,7 +56,7 @@ void run(const Arguments& arguments) {
     const FormFactorResult result = matrix.compute(terminal_progress("form factors"));
 
     TableWriter<FormFactorRow> table(table_path(arguments.out, table_name<FormFactorRow>()));
-    for (const FormFactor& value : result.values) table.write({value.from, value.to, value.value, value.error});
+    for (const PolygonFormFactor& value : result.values) table.write({value.from, value.to, value.value, value.error});
     table.commit();
 
     std::printf("%zu form factors, %llu exact values of points\n", result.values.size(),

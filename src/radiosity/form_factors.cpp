@@ -233,7 +233,7 @@ FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
         const double errors = one.error + two.error + rounding * self.polygons[pair.smaller].area;
         result.reciprocity_in_errors = std::max(result.reciprocity_in_errors, difference / errors);
     }
-    std::sort(result.values.begin(), result.values.end(), [](const FormFactor& a, const FormFactor& b) {
+    std::sort(result.values.begin(), result.values.end(), [](const PolygonFormFactor& a, const PolygonFormFactor& b) {
         return std::pair(a.from, a.to) < std::pair(b.from, b.to);
     });
     return result;

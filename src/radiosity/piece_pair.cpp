@@ -120,7 +120,7 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     integrand.at_point = [&](const Point2D& where) {
         const LightView view = view_light(Viewpoint(context.pieces, frame.point_at(where)), normal, light,
                                           pair.occluders, Precision::binary64);
-        return PointValue{view.unobstructed, view.visible};
+        return PointValue{view.unobstructed, view.visible, view.outline};
     };
     integrand.unobstructed = [&](const Triangle2D& t) {
         return mutual_flux({frame.relative_at(t[0]), frame.relative_at(t[1]), frame.relative_at(t[2])}, sender);

@@ -83,14 +83,20 @@ public:
     QuadratureResult run(const std::vector<std::vector<Point2D>>& regions);
 
 private:
-    static constexpr std::size_t first_cells = 64;
+    static constexpr std::size_t first_cells = 16;
 
     std::vector<std::uint32_t> crossing(const Triangle2D& triangle, const std::vector<std::uint32_t>& lines) const;
     std::vector<Cell> split(const Cell& cell) const;
     void begin(const std::vector<std::vector<Point2D>>& regions);
     void evaluate(Cell& cell);
+    struct Samples {
+        double visible = 0, hidden = 0;              ///< The last rule's integrals,
+        double error_visible = 0, error_hidden = 0;  ///< and how far they may be off.
+        bool empty = true, some_visible = false, one_outline = true;
+        std::uint64_t outline = 0;
+    };
     template <std::size_t n>
-    void sample(const Triangle2D& triangle, double& visible, double& hidden, bool& some_visible, bool& some_hidden);
+    void sample(const Triangle2D& triangle, Samples& samples);
 
     const std::vector<ShadowLine>& lines_;
     const ReceiverIntegrand& integrand_;
@@ -129,10 +135,10 @@ std::vector<Cell> Cubature::split(const Cell& cell) const {
 
 /// Integrates both parts by a product rule collapsed at corner 0.
 template <std::size_t n>
-void Cubature::sample(const Triangle2D& t, double& visible, double& hidden, bool& some_visible, bool& some_hidden) {
+void Cubature::sample(const Triangle2D& t, Samples& samples) {
     const auto& rule = gauss_rule<n>();
     const double doubled = 2 * area(t);
-    visible = hidden = 0;
+    double visible = 0, hidden = 0;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
             const double f = rule.node[i];
@@ -141,37 +147,49 @@ void Cubature::sample(const Triangle2D& t, double& visible, double& hidden, bool
             const PointValue value = integrand_.at_point(point);
             visible += weight * value.visible;
             hidden += weight * (value.unobstructed - value.visible);
-            some_visible = some_visible || value.visible > 0;
-            some_hidden = some_hidden || value.visible < value.unobstructed;
+            samples.some_visible = samples.some_visible || value.visible > 0;
+            samples.one_outline = samples.one_outline && (samples.empty || samples.outline == value.outline);
+            samples.outline = value.outline;
+            samples.empty = false;
         }
     evaluations_ += n * n;
+    // The lower rule's difference counts a little, too: across a bend, two rules may agree by chance.
+    samples.error_visible = std::max(2 * std::abs(visible - samples.visible), samples.error_visible / 16);
+    samples.error_hidden = std::max(2 * std::abs(hidden - samples.hidden), samples.error_hidden / 16);
+    samples.visible = visible, samples.hidden = hidden;
 }
 
 void Cubature::evaluate(Cell& cell) {
     const double share = options_.tolerance * area(cell.triangle) / area_ / 4;
-    double v3, h3, v5, h5, v7, h7;
-    bool some_visible = false, some_hidden = false;
-    sample<3>(cell.triangle, v3, h3, some_visible, some_hidden);
-    sample<5>(cell.triangle, v5, h5, some_visible, some_hidden);
-    double error_visible = 2 * std::abs(v5 - v3), error_hidden = 2 * std::abs(h5 - h3);
-    if (std::min(error_visible, error_hidden) > share) {
-        sample<7>(cell.triangle, v7, h7, some_visible, some_hidden);
-        error_visible = 2 * std::abs(v7 - v5), error_hidden = 2 * std::abs(h7 - h5);
-        v5 = v7, h5 = h7;
-    }
-    if (!some_visible) {
+    Samples samples;
+    sample<3>(cell.triangle, samples);
+    samples.error_visible = samples.error_hidden = 0;
+    sample<5>(cell.triangle, samples);
+    if (!samples.one_outline || std::min(samples.error_visible, samples.error_hidden) > share)
+        sample<7>(cell.triangle, samples);
+
+    if (!samples.some_visible) {
         cell.visible = {0, 0};
-    } else if (error_visible <= share || error_visible <= error_hidden) {
-        cell.visible = {v5, error_visible};
+    } else if (samples.error_visible <= share || samples.error_visible <= samples.error_hidden) {
+        cell.visible = {samples.visible, samples.error_visible};
     } else {
         // The hidden part is smooth where the whole is not: beside a side that both polygons share.
         const Integral whole = integrand_.unobstructed(cell.triangle);
-        cell.visible = {whole.value - h5, whole.error + error_hidden};
+        cell.visible = {whole.value - samples.hidden, whole.error + samples.error_hidden};
     }
-    // A feature that lines announce and no sample has met: the smaller the cell, the nearer are its samples.
+
+    // Where the outline is one on both sides of a line, the line changes nothing; one that is short against the
+    // distance of the samples may announce a feature that none of them has met.
+    if (samples.one_outline) {
+        const double long_enough = std::sqrt(area(cell.triangle)) / 2;
+        auto& lines = cell.lines;
+        lines.erase(std::remove_if(lines.begin(), lines.end(),
+                                   [&](std::uint32_t k) { return chord(lines_[k], cell.triangle) > long_enough; }),
+                    lines.end());
+    }
     if (!cell.lines.empty()) {
-        const double size = std::min(1.0, 256 * area(cell.triangle) / area_);
-        cell.visible.error += 0.05 * size * size * (v5 + h5);
+        const double size = std::min(1.0, 64 * area(cell.triangle) / area_);
+        cell.visible.error += 0.05 * size * (samples.visible + samples.hidden);
     }
 }
 

@@ -13,9 +13,10 @@ namespace cob::radiosity {
 
 using Triangle2D = std::array<Point2D, 3>;
 
-/// What is seen of the light from one point: form factors.
+/// What is seen of the light from one point: form factors, and a name of what bounds the visible region.
 struct PointValue {
     double unobstructed = 0, visible = 0;
+    std::uint64_t outline = 0;
 };
 
 struct ReceiverIntegrand {

@@ -17,7 +17,7 @@ namespace {
 
 using test::EveryPolygon;
 using test::RoomBuilder;
-using Matrix = std::map<std::pair<PolygonId, PolygonId>, FormFactor>;
+using Matrix = std::map<std::pair<PolygonId, PolygonId>, PolygonFormFactor>;
 
 const double pi = std::acos(-1.0);
 
@@ -26,7 +26,7 @@ Matrix matrix_of(const Scene& scene, FormFactorOptions options = {}) {
     FormFactorMatrix matrix(scene, everything, options);
     matrix.plan({});
     Matrix result;
-    for (const FormFactor& value : matrix.compute().values) result[{value.from, value.to}] = value;
+    for (const PolygonFormFactor& value : matrix.compute().values) result[{value.from, value.to}] = value;
     return result;
 }
 
@@ -252,7 +252,7 @@ TEST(FormFactors, CertifiedBoundsHoldAndTighten) {
         options.certified = true;
         options.max_subdivisions = budget;
         const Matrix m = matrix_of(scene, options);
-        const FormFactor& value = m.at({0, 1});
+        const PolygonFormFactor& value = m.at({0, 1});
         EXPECT_LE(std::abs(value.value - truth), value.error);
         EXPECT_LT(value.error, last);
         last = value.error;
@@ -282,7 +282,7 @@ TEST(FormFactors, RowsOfAnObstructedRoomSumToOne) {
     EXPECT_GT(plan.unobstructed, 3);
     const FormFactorResult result = matrix.compute();
     std::map<PolygonId, std::pair<double, double>> rows;
-    for (const FormFactor& value : result.values)
+    for (const PolygonFormFactor& value : result.values)
         rows[value.from].first += value.value, rows[value.from].second += value.error;
     ASSERT_EQ(rows.size(), 8);
     for (const auto& [polygon, row] : rows) EXPECT_LE(std::abs(row.first - 1), row.second) << polygon;
