@@ -189,7 +189,7 @@ void Cubature::evaluate(Cell& cell) {
     }
     if (!cell.lines.empty()) {
         const double size = std::min(1.0, 64 * area(cell.triangle) / area_);
-        cell.visible.error += 0.05 * size * size * (samples.visible + samples.hidden);
+        cell.visible.error += 0.05 * size * (samples.visible + samples.hidden);
     }
 }
 
