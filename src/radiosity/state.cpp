@@ -131,7 +131,7 @@ double RadiositySolver::State::unshot_share() const {
     return unshot / sum(emitted_flux);
 }
 
-Rgb RadiositySolver::State::ambient() const {
+Rgb RadiositySolver::State::ambient(double most_reflectance) const {
     // Cohen et al. 1988: what is unshot spreads over all surfaces and is reflected again and again.
     Rgb unshot{}, reflected{}, result{};
     double all = 0;
@@ -143,7 +143,8 @@ Rgb RadiositySolver::State::ambient() const {
             reflected[c] += area(id) * material(id).reflectance[c];
         }
     }
-    for (std::size_t c = 0; c < 3; ++c) result[c] = unshot[c] / all / (1 - reflected[c] / all);
+    for (std::size_t c = 0; c < 3; ++c)
+        result[c] = unshot[c] / all / (1 - std::min(reflected[c] / all, most_reflectance));
     return result;
 }
 

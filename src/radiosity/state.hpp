@@ -41,7 +41,7 @@ public:
     double unshot_share() const;
     EnergyBooks books() const;
     std::vector<Rgb> vertex_exitance() const;
-    Rgb ambient() const;
+    Rgb ambient(double most_reflectance = 1) const;
     std::vector<std::string> left_out() const;
     std::string checkpoint() const;
     void resume(const std::string& text);
@@ -93,8 +93,8 @@ private:
         radiosity::NodeId patch = -1;
         std::vector<Work> work;
         bool asks = false;  ///< Some of it asks for a buffer.
-        Rgb given{};      ///< Flux received.
-        Rgb reflected{};  ///< Of it, made unshot flux.
+        Rgb given{};        ///< Flux received.
+        Rgb reflected{};    ///< Of it, made unshot flux.
         RadiosityCounters counters;
         BufferStatistics statistics;
     };
@@ -106,6 +106,7 @@ private:
 
     // One iteration (iteration.cpp).
     radiosity::NodeId brightest_patch() const;
+    Rgb flux_to_shoot(radiosity::NodeId patch, const Rgb& foreseen) const;  ///< Unshot and foreseen, W in units.
     radiosity::Shot take_shot(radiosity::NodeId patch);
     void bring(const radiosity::Shot& shot);
     void decide(const radiosity::Shot& shot, Batch& batch) const;
