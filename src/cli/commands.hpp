@@ -18,6 +18,7 @@ void add_info(CLI::App& app);
 void add_irradiance(CLI::App& app);
 void add_occlude(CLI::App& app);
 void add_render(CLI::App& app);
+void add_stress(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace cob::cli
