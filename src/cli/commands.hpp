@@ -19,6 +19,7 @@ void add_irradiance(CLI::App& app);
 void add_occlude(CLI::App& app);
 void add_render(CLI::App& app);
 void add_stress(CLI::App& app);
+void add_study(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace cob::cli

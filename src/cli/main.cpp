@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     cob::cli::add_occlude(app);
     cob::cli::add_render(app);
     cob::cli::add_stress(app);
+    cob::cli::add_study(app);
     cob::cli::add_verify(app);
     try {
         app.parse(argc, argv);

@@ -1,0 +1,120 @@
+// The points of a study and the exact direct light there.
+#include "cob/census.hpp"
+#include "cob/error.hpp"
+#include "cob/irradiance.hpp"
+#include "cob/study.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace cob {
+namespace {
+
+double length(const Point& v) {
+    return std::sqrt(dot(v, v));
+}
+
+/// The root's corners; for areas and weights only.
+std::vector<Point> outline(const Scene& scene, const Root& root) {
+    std::vector<Point> corners;
+    for (int c = 0; c < root.corner_count(); ++c) corners.push_back(scene.position(root.corners[c]));
+    return corners;
+}
+
+double area(const Scene& scene, const Root& root) {
+    const std::vector<Point> p = outline(scene, root);
+    const Point twice = p.size() == 3 ? cross(p[1] - p[0], p[2] - p[0]) : cross(p[2] - p[0], p[3] - p[1]);
+    return length(twice) / 2;
+}
+
+/// Polygons that another one may lie on, in their plane.
+std::set<PolygonId> overlapped(const Scene& scene) {
+    std::set<PolygonId> polygons;
+    for (const CoplanarOverlap& overlap : take_census(scene).overlaps)
+        if (overlap.same_facing) {
+            polygons.insert(overlap.first);
+            polygons.insert(overlap.second);
+        }
+    return polygons;
+}
+
+/// The k-th point of the sequence with the plastic number (Roberts 2018), in the unit square, off its sides.
+std::array<double, 2> spread(std::size_t k) {
+    const double first = 0.7548776662466927, second = 0.5698402909980532, n = static_cast<double>(k) + 0.5;
+    return {n * first - std::floor(n * first), n * second - std::floor(n * second)};
+}
+
+}  // namespace
+
+StudyReference study_reference(const Scene& scene, std::size_t points, const Progress& progress) {
+    const Roots roots(scene);
+    const auto candidates = make_candidates(scene, Source::cgal);
+    const IrradianceOracle oracle(scene, *candidates);
+    if (oracle.lights().empty()) throw InputError("no polygon emits: there is nothing to study");
+    StudyReference reference;
+
+    // 1. The roots that receive, and the areas.
+    const std::set<PolygonId> left_out = overlapped(scene);
+    std::vector<RootId> receivers;
+    double receiving = 0, all = 0;
+    for (const Root& root : roots.all()) {
+        const Material& material = scene.material(root.polygon);
+        const double a = area(scene, root);
+        all += a;
+        for (const double e : material.emitted_exitance) reference.light_exitance += a * e;
+        const bool reflects = material.reflectance[0] + material.reflectance[1] + material.reflectance[2] > 0;
+        if (!reflects || material.emits() || left_out.count(root.polygon) > 0) continue;
+        receivers.push_back(root.id);
+        receiving += a;
+    }
+    if (receivers.empty()) throw InputError("no polygon receives: none reflects and lies free in its plane");
+    reference.light_exitance /= all;
+    reference.receiver_share = receiving / all;
+
+    // 2. Points by area: root by root, as many as its share of the area so far asks for.
+    double so_far = 0;
+    for (const RootId id : receivers) {
+        const Root& root = roots[id];
+        so_far += area(scene, root);
+        const auto wanted = static_cast<std::size_t>(std::llround(static_cast<double>(points) * so_far / receiving));
+        while (reference.points.size() < wanted) {
+            StudyPoint point;
+            point.root = id;
+            point.coordinates = spread(reference.points.size());
+            auto& [s, t] = point.coordinates;
+            if (root.corner_count() == 3 && s + t > 1) {
+                s = 1 - s;
+                t = 1 - t;
+            }
+            reference.points.push_back(point);
+        }
+    }
+
+    // 3. Exact direct light.
+    std::size_t done = 0;
+    for (StudyPoint& point : reference.points) {
+        if (progress && done % 16 == 0) progress(done, reference.points.size());
+        ++done;
+        const Root& root = roots[point.root];
+        const std::vector<Point> p = outline(scene, root);
+        const RationalPoint normal =
+            cross(to_rational(p[1]) - to_rational(p[0]), to_rational(p[2]) - to_rational(p[0]));
+        const ExactPoint x =
+            point_in(scene, root, root_element(point.root), point.coordinates[0], point.coordinates[1]);
+        const Material& material = scene.material(root.polygon);
+        for (const PolygonId light : oracle.lights()) {
+            const LightAtPoint seen = oracle(x, normal, light);
+            point.in_band = point.in_band || (seen.visible > 0 && seen.visible < seen.unobstructed * (1 - 1e-9));
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double irradiance = seen.visible * scene.material(light).emitted_exitance[c];
+                point.irradiance += irradiance;
+                point.exitance += material.reflectance[c] * irradiance;
+            }
+        }
+        reference.mean_exitance += point.exitance / static_cast<double>(reference.points.size());
+    }
+    if (!(reference.mean_exitance > 0)) throw InputError("no light reaches any point: there is nothing to study");
+    return reference;
+}
+
+}  // namespace cob
