@@ -88,6 +88,39 @@ Clearance rectangle_factor(const CubePolygon& polygon) {
     return factor;
 }
 
+/// Seen along z, some line along a side of the piece keeps it certainly away from the point.
+bool misses(const CubePolygon& piece, double x, double y) {
+    const std::size_t count = piece.corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const Point side = piece.corners[(k + 1) % count] - piece.corners[k];
+        const double norm = std::abs(side.x) + std::abs(side.y);
+        if (!(norm > 0)) continue;
+        double least = infinite, most = -infinite;
+        for (const Point& p : piece.corners) {
+            const double across = ((p.x - x) * side.y - (p.y - y) * side.x) / norm;
+            least = std::min(least, across), most = std::max(most, across);
+        }
+        if (least > 4 * piece.error || most < -4 * piece.error) return true;
+    }
+    return false;
+}
+
+/// A point of the rectangle, at all factors of interest, over which no piece lies: then the polygon never covers.
+bool leaves_a_point_free(const Scene& scene, PolygonId polygon, const BoxFrame& frame) {
+    constexpr int probes = 5;
+    static thread_local CubePolygon piece;
+    std::array<bool, probes * probes> open;
+    open.fill(true);
+    for (const Piece& part : scene.pieces_of(polygon)) {
+        to_cube(scene, scene.corners(part), frame, piece);
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            const auto at = [](std::size_t step) { return within * (static_cast<double>(step) - 2) / 2; };
+            open[k] = open[k] && misses(piece, at(k % probes), at(k / probes));
+        }
+    }
+    return std::find(open.begin(), open.end(), true) != open.end();
+}
+
 /// Factors from which on the polygon's plane stays between base and top over the rectangle: low to high bounds.
 Clearance slab_factor(const CubePolygon& polygon) {
     Point normal{};
@@ -166,7 +199,10 @@ Clearance covering_clearance(const Scene& scene, PolygonId polygon, const BoxFra
     }
     const double needed = within - loop.error;
     if (low.x > -needed || low.y > -needed || high.x < needed || high.y < needed) return {infinite, infinite};
-    if (scene.polygon(polygon).piece_count != 1) return {0, infinite};  // Left to exact arithmetic.
+    if (scene.polygon(polygon).piece_count != 1) {
+        if (!covers && leaves_a_point_free(scene, polygon, frame)) return {infinite, infinite};
+        return {0, infinite};  // Left to exact arithmetic.
+    }
 
     const Clearance up_to = rectangle_factor(loop), from = slab_factor(loop);
     const auto distance = [&](double first, double last) {
