@@ -46,9 +46,10 @@ struct ClassifyCommand {
         command.add_flag("--states-only", states_only, "Leave out all three");
         command.add_flag("--truth", truth,
                          "Set the states beside what is truly seen of the lights: truth.csv, truth_summary.csv");
-        command.add_option(
-            "--truth-pairs", truth_pairs,
-            "Most pairs of element and light for --truth; of more, elements at equal distances are taken");
+        command
+            .add_option("--truth-pairs", truth_pairs,
+                        "Most pairs of element and light for --truth; of more, elements at equal distances are taken")
+            ->check(CLI::PositiveNumber);
         add_output_folder(command, folder);
     }
 

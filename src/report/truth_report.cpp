@@ -18,7 +18,13 @@
 namespace cob {
 namespace {
 
-constexpr int grid = 5;  ///< Samples along a side: a fifth apart, so that neighbours are within a quarter.
+constexpr int grid = 5;  ///< Samples along a side.
+
+/// Place of a sample along a side. Neighbours are just within a quarter, and the outermost near the ends: the sharp
+/// shadow of what stands or hovers at an element's side is near that side.
+constexpr double place_of(int k) {
+    return (3 + 62 * k) / 256.0;
+}
 
 /// A sample point and its place in the grid.
 struct Sample {
@@ -30,7 +36,7 @@ std::vector<Sample> samples_of(const Scene& scene, const Root& root, const Eleme
     std::vector<Sample> samples;
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
-            const double s = (i + 0.4375) / grid, t = (j + 0.4375) / grid;
+            const double s = place_of(i), t = place_of(j);
             if (root.corner_count() == 4 || s + t < 1) samples.push_back({i, j, point_in(scene, root, element, s, t)});
         }
     return samples;
@@ -160,17 +166,17 @@ TruthSummary summarise(const std::vector<ElementTruth>& truths) {
     return summary;
 }
 
-std::string rows_of(const ElementList& elements, const std::vector<ElementTruth>& truths) {
-    std::string text = "box,element,state,lights,boundaries,sharp,hemisphere,verdict\n";
+std::string rows_of(const std::vector<ElementTruth>& truths) {
+    std::string text = "box,state,lights,boundaries,sharp,hemisphere,verdict\n";
     for (const ElementTruth& truth : truths) {
         const char* verdict = truth.missed()                ? "sharp missed"
                               : truth.vain()                ? "refined in vain"
                               : truth.lit_though_occluded() ? "occluded but lit"
                               : truth.shut_out_together()   ? "shut out together"
                                                             : "";
-        text += std::to_string(truth.element) + ',' + to_address(elements.roots(), elements[truth.element]) + ',' +
-                to_text(truth.state) + ',' + std::to_string(truth.lights) + ',' + std::to_string(truth.boundaries) +
-                ',' + std::to_string(truth.sharp) + ',' + to_text(truth.hemisphere) + ',' + verdict + '\n';
+        text += std::to_string(truth.element) + ',' + to_text(truth.state) + ',' + std::to_string(truth.lights) + ',' +
+                std::to_string(truth.boundaries) + ',' + std::to_string(truth.sharp) + ',' + to_text(truth.hemisphere) +
+                ',' + verdict + '\n';
     }
     return text;
 }
@@ -250,7 +256,7 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
     summary.lights = judge.lights();
     summary.seconds = seconds();
     create_folder(folder);
-    write_file(folder + "/truth.csv", rows_of(elements, truths));
+    write_file(folder + "/truth.csv", rows_of(truths));
     write_file(folder + "/truth_summary.csv", row_of(name_of(elements.scene().name()), summary));
     return summary;
 }
