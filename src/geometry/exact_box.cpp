@@ -9,18 +9,25 @@
 namespace cob {
 namespace {
 
-Vector3<Integer> primitive(const RationalPoint& v) {
-    const Integer scale = lcm(lcm(denominator(v.x), denominator(v.y)), denominator(v.z));
+/// The point times the denominator, a multiple of those of its parts.
+Vector3<Integer> times(const Integer& denominator_, const RationalPoint& v) {
     Vector3<Integer> result;
-    for (int axis = 0; axis < 3; ++axis) result[axis] = numerator(v[axis]) * (scale / denominator(v[axis]));
-    const Integer common = gcd(gcd(result.x, result.y), result.z);
-    if (common > 1)
-        for (int axis = 0; axis < 3; ++axis) result[axis] /= common;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Integer factor = denominator_ / denominator(v[axis]);
+        result[axis] = numerator(v[axis]) * factor;
+    }
     return result;
 }
 
-Vector3<Integer> primitive(const Vector3<Integer>& v) {
-    return primitive(RationalPoint{Rational(v.x), Rational(v.y), Rational(v.z)});
+Integer common_denominator(const RationalPoint& v) {
+    return lcm(lcm(denominator(v.x), denominator(v.y)), denominator(v.z));
+}
+
+Vector3<Integer> primitive(Vector3<Integer> v) {
+    const Integer common = gcd(gcd(v.x, v.y), v.z);
+    if (common > 1)
+        for (int axis = 0; axis < 3; ++axis) v[axis] /= common;
+    return v;
 }
 
 Rational dot(const Vector3<Integer>& a, const RationalPoint& b) {
@@ -42,15 +49,15 @@ InputError refused(const std::string& problem, const std::string& remedy) {
     return InputError(problem, where);
 }
 
-/// Twice the element's area vector; checks that the corners are coplanar and convex.
-RationalPoint checked_normal(const std::array<RationalPoint, 4>& c, int count) {
+/// Along the element's area vector; checks that the corners are coplanar and convex.
+Vector3<Integer> checked_normal(const std::array<Vector3<Integer>, 4>& c, int count) {
     if (count == 3) return cross(c[1] - c[0], c[2] - c[0]);
-    const RationalPoint normal = cross(c[2] - c[0], c[3] - c[1]);
+    const Vector3<Integer> normal = cross(c[2] - c[0], c[3] - c[1]);
     if (cob::dot(normal, c[1] - c[0]) != 0)
         throw refused("the corners of a box's element are not in one plane", "give coplanar corners or a triangle");
     for (int i = 0; i < count; ++i) {
-        const RationalPoint here = c[(i + 1) % count] - c[i], next = c[(i + 2) % count] - c[(i + 1) % count];
-        const Rational turn = cob::dot(normal, cross(here, next));
+        const Vector3<Integer> here = c[(i + 1) % count] - c[i], next = c[(i + 2) % count] - c[(i + 1) % count];
+        const Integer turn = cob::dot(normal, cross(here, next));
         if (turn < 0 || (turn == 0 && cob::dot(here, next) < 0))
             throw refused("the corners of a box's element are not convex", "give convex corners in order");
     }
@@ -68,34 +75,43 @@ ExactBox::ExactBox(const BoxQuestion& question) {
     if (question.height <= 0)
         throw refused("the height " + to_text(question.height) + " is not positive", "give a height above 0");
 
-    // The directions.
-    std::array<RationalPoint, 4> corners;
-    for (int i = 0; i < count; ++i) corners[i] = question.corners.points[i].rational();
-    const RationalPoint normal = checked_normal(corners, count), u = question.u.rational();
-    if (normal == RationalPoint{}) throw refused("a box's element has no area", "leave it out");
-    if (u == RationalPoint{}) throw refused("the base-edge direction u of a box is zero", "give a side's direction");
-    if (cob::dot(normal, u) != 0)
-        throw refused("the base-edge direction u of a box is not exactly perpendicular to its element's normal",
-                      "give the exact difference of two of the corners");
-    directions[0] = primitive(u);
-    directions[2] = primitive(normal);
-    directions[1] = primitive(cross(directions[2], directions[0]));
+    // The corners relative to the origin, over one denominator: what follows is done in integers, as fractions
+    // would spend their time on common divisors.
     const Point& near = question.corners.points[0].nearest();
     if (std::isfinite(near.x) && std::isfinite(near.y) && std::isfinite(near.z)) origin = near;
+    std::array<RationalPoint, 4> relative;
+    Integer unit = 1;  // parts of 1
+    for (int i = 0; i < count; ++i) {
+        relative[i] = question.corners.points[i].rational() - to_rational(origin);
+        unit = lcm(unit, common_denominator(relative[i]));
+    }
+    std::array<Vector3<Integer>, 4> corners;
+    for (int i = 0; i < count; ++i) corners[i] = times(unit, relative[i]);
+
+    // The directions.
+    const Vector3<Integer> normal = checked_normal(corners, count), zero{};
+    const RationalPoint u = question.u.rational();
+    if (normal == zero) throw refused("a box's element has no area", "leave it out");
+    if (u == RationalPoint{}) throw refused("the base-edge direction u of a box is zero", "give a side's direction");
+    directions[0] = primitive(times(common_denominator(u), u));
+    directions[2] = primitive(normal);
+    if (cob::dot(directions[2], directions[0]) != 0)
+        throw refused("the base-edge direction u of a box is not exactly perpendicular to its element's normal",
+                      "give the exact difference of two of the corners");
+    directions[1] = primitive(cross(directions[2], directions[0]));
 
     // Extents, each widened on both sides by the margin.
-    const FrameBox<Rational> element = [&] {
-        FrameBox<Rational> extents;
-        extents.low = extents.high = to_frame(corners[0]);
-        for (int i = 1; i < count; ++i) {
-            const Vector3<Rational> corner = to_frame(corners[i]);
-            for (int axis = 0; axis < 2; ++axis) {
-                extents.low[axis] = std::min(extents.low[axis], corner[axis]);
-                extents.high[axis] = std::max(extents.high[axis], corner[axis]);
-            }
+    FrameBox<Rational> element;
+    for (int axis = 0; axis < 3; ++axis) {
+        Integer low = cob::dot(directions[axis], corners[0]), high = low;
+        for (int i = 1; i < count && axis < 2; ++i) {
+            const Integer at = cob::dot(directions[axis], corners[i]);
+            low = std::min(low, at);
+            high = std::max(high, at);
         }
-        return extents;
-    }();
+        element.low[axis] = Rational(low, unit);
+        element.high[axis] = Rational(high, unit);
+    }
     frame = element;
     for (int axis = 0; axis < 2; ++axis) {
         const Rational widening = question.margin * (element.high[axis] - element.low[axis]);
