@@ -4,11 +4,32 @@
 
 #include <tbb/parallel_for.h>
 
+#include <unordered_map>
+
 namespace cob {
 
 namespace {
 
 constexpr std::uint64_t block_size = 256;  ///< Questions that one task answers.
+
+/// What polygons share, computed once for all boxes over the same polygon.
+class SharedOf {
+public:
+    explicit SharedOf(const Scene& scene) : scene_(scene) {}
+
+    Shared operator()(PolygonId own, PolygonId other) {
+        if (own == no_polygon) return Shared::none;
+        if (own != own_) known_.clear(), own_ = own;
+        const auto [entry, is_new] = known_.try_emplace(other, Shared::none);
+        if (is_new) entry->second = shared(scene_, own, other);
+        return entry->second;
+    }
+
+private:
+    const Scene& scene_;
+    PolygonId own_ = no_polygon;
+    std::unordered_map<PolygonId, Shared> known_;
+};
 
 }  // namespace
 
@@ -39,6 +60,7 @@ ShardMaker::Shard ShardMaker::box_block(std::uint64_t first, std::uint64_t last)
     std::string boxes, states, relations, tags;
     Shard shard;
     BoxBands bands(scene_, candidates_, bounds_);
+    SharedOf shared_with(scene_);
     Classification found;
     for (std::uint64_t number = first; number < last; ++number) {
         const BoxTask task = questions_.box(number);
@@ -52,11 +74,8 @@ ShardMaker::Shard ShardMaker::box_block(std::uint64_t first, std::uint64_t last)
                                     found.light});
         ++shard.counts[std::string("state ") + to_text(found.state)];
         for (const Neighbour& neighbour : found.neighbours) {
-            const Shared shared_parts = task.question.polygon == no_polygon
-                                            ? Shared::none
-                                            : shared(scene_, task.question.polygon, neighbour.polygon);
             append_row(relations, RelationRow{id, neighbour.polygon, neighbour.answer.relation, neighbour.answer.covers,
-                                              shared_parts});
+                                              shared_with(task.question.polygon, neighbour.polygon)});
             ++shard.counts[std::string("relation ") + to_text(neighbour.answer.relation)];
         }
     }

@@ -3,6 +3,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 
+#include <tbb/parallel_for_each.h>
 #include <unistd.h>
 #include <cstdio>
 #include <filesystem>
@@ -105,10 +106,12 @@ void Shards::put(std::uint64_t shard, const ShardTables& tables, std::map<std::s
     Manifest manifest;
     manifest.parameters = identity_;
     manifest.counts = std::move(counts);
-    for (const auto& [name, text] : tables) {
+    for (const auto& [name, text] : tables) manifest.files[name] = {};
+    tbb::parallel_for_each(tables.begin(), tables.end(), [&](const auto& table) {
+        const auto& [name, text] = table;
         write_file(folder / name, text);
-        manifest.files[name] = {text.size(), sha256(text)};
-    }
+        manifest.files.find(name)->second = {text.size(), sha256(text)};
+    });
     write_manifest(folder / manifest_name, manifest);
     folder.commit();
 }
