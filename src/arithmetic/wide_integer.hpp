@@ -14,23 +14,50 @@ namespace cob {
 
 __extension__ typedef unsigned __int128 DoubleLimb;
 
-/// A finite binary64 number as an integer times a power of two.
+/// a + b + carry; carry becomes what leaves the limb.
+inline std::uint64_t add_with_carry(std::uint64_t a, std::uint64_t b, std::uint64_t& carry) {
+    const std::uint64_t sum = a + b, total = sum + carry;
+    carry = static_cast<std::uint64_t>(sum < a) + static_cast<std::uint64_t>(total < sum);
+    return total;
+}
+
+/// a - b - borrow; borrow becomes what is missing.
+inline std::uint64_t subtract_with_borrow(std::uint64_t a, std::uint64_t b, std::uint64_t& borrow) {
+    const std::uint64_t difference = a - b, total = difference - borrow;
+    borrow = static_cast<std::uint64_t>(a < b) + static_cast<std::uint64_t>(difference < borrow);
+    return total;
+}
+
+/// A finite binary64 number as it is stored.
+struct StoredParts {
+    std::uint64_t mantissa;  ///< Less than 2^53; 0 for zero.
+    int exponent;            ///< |value| = mantissa * 2^exponent.
+    bool negative;
+
+    explicit StoredParts(double value) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &value, sizeof bits);
+        negative = (bits >> 63) != 0;
+        const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+        mantissa = bits & ((std::uint64_t{1} << 52) - 1);
+        if (biased != 0) mantissa |= std::uint64_t{1} << 52;
+        exponent = (biased == 0 ? 1 : biased) - 1075;
+    }
+};
+
+/// A finite binary64 number as an odd integer times a power of two.
 struct BinaryParts {
     std::uint64_t magnitude = 0;  ///< Odd, or 0 for zero.
     int exponent = 0;             ///< |value| = magnitude * 2^exponent.
     bool negative = false;
 
     explicit BinaryParts(double value) {
-        std::uint64_t bits;
-        std::memcpy(&bits, &value, sizeof bits);
-        negative = (bits >> 63) != 0;
-        const int biased = static_cast<int>((bits >> 52) & 0x7ff);
-        magnitude = bits & ((std::uint64_t{1} << 52) - 1);
-        if (biased != 0) magnitude |= std::uint64_t{1} << 52;
-        if (magnitude == 0) return;
-        const int zeros = __builtin_ctzll(magnitude);
-        magnitude >>= zeros;
-        exponent = (biased == 0 ? 1 : biased) - 1075 + zeros;
+        const StoredParts stored(value);
+        negative = stored.negative;
+        if (stored.mantissa == 0) return;
+        const int zeros = __builtin_ctzll(stored.mantissa);
+        magnitude = stored.mantissa >> zeros;
+        exponent = stored.exponent + zeros;
     }
 };
 
@@ -39,10 +66,10 @@ struct BitSpan {
     int low = INT_MAX / 4, high = INT_MIN / 4;
 
     void add(double value) {
-        const BinaryParts parts(value);
-        if (parts.magnitude == 0) return;
-        low = std::min(low, parts.exponent);
-        high = std::max(high, parts.exponent + 64 - __builtin_clzll(parts.magnitude));
+        if (value == 0) return;
+        const StoredParts parts(value);
+        low = std::min(low, parts.exponent + __builtin_ctzll(parts.mantissa));
+        high = std::max(high, parts.exponent + 64 - __builtin_clzll(parts.mantissa));
     }
     bool only_zeros() const { return high < low; }
     /// Bits of the largest magnitude when counted in units of 2^low.
@@ -106,23 +133,15 @@ public:
     friend WideInteger operator+(const WideInteger& a, const WideInteger& b) {
         WideInteger sum;
         if constexpr (Limbs == 2) return sum.from(a.both() + b.both());
-        unsigned char carry = 0;
-        for (int i = 0; i < Limbs; ++i) {
-            const DoubleLimb t = DoubleLimb{a.limbs_[i]} + b.limbs_[i] + carry;
-            sum.limbs_[i] = static_cast<std::uint64_t>(t);
-            carry = static_cast<unsigned char>(t >> 64);
-        }
+        std::uint64_t carry = 0;
+        for (int i = 0; i < Limbs; ++i) sum.limbs_[i] = add_with_carry(a.limbs_[i], b.limbs_[i], carry);
         return sum;
     }
     friend WideInteger operator-(const WideInteger& a, const WideInteger& b) {
         WideInteger difference;
         if constexpr (Limbs == 2) return difference.from(a.both() - b.both());
-        unsigned char borrow = 0;
-        for (int i = 0; i < Limbs; ++i) {
-            const DoubleLimb t = DoubleLimb{a.limbs_[i]} - b.limbs_[i] - borrow;
-            difference.limbs_[i] = static_cast<std::uint64_t>(t);
-            borrow = static_cast<unsigned char>((t >> 64) & 1);
-        }
+        std::uint64_t borrow = 0;
+        for (int i = 0; i < Limbs; ++i) difference.limbs_[i] = subtract_with_borrow(a.limbs_[i], b.limbs_[i], borrow);
         return difference;
     }
     friend WideInteger operator*(const WideInteger& a, const WideInteger& b) {
@@ -139,6 +158,9 @@ public:
         }
         return product;
     }
+    /// The product in the width that always holds it: never wraps.
+    template <int n, int m>
+    friend WideInteger<n + m> widening_product(const WideInteger<n>& a, const WideInteger<m>& b);
     friend WideInteger operator-(WideInteger a) {
         a.negate();
         return a;
@@ -171,6 +193,14 @@ public:
     }
 
 private:
+    /// Takes the number off this one's limbs [first, first + Other); what it borrows beyond them is lost.
+    template <int Other>
+    void take_off(const WideInteger<Other>& number, int first) {
+        std::uint64_t borrow = 0;
+        for (int i = 0; i < Other; ++i)
+            limbs_[first + i] = subtract_with_borrow(limbs_[first + i], number.limbs_[i], borrow);
+    }
+
     // Two limbs are a number that compilers know.
     DoubleLimb both() const { return DoubleLimb{limbs_[1]} << 64 | limbs_[0]; }
     const WideInteger& from(DoubleLimb value) {
@@ -187,7 +217,34 @@ private:
     }
 
     std::array<std::uint64_t, Limbs> limbs_;  // least significant first
+
+    template <int>
+    friend class WideInteger;  // other widths
 };
+
+template <int n, int m>
+WideInteger<n + m> widening_product(const WideInteger<n>& a, const WideInteger<m>& b) {
+    WideInteger<n + m> product;
+    if constexpr (n == 1 && m == 1) {
+        const auto signed_limb = [](std::uint64_t limb) {
+            return static_cast<DoubleLimb>(static_cast<std::int64_t>(limb));
+        };
+        return product.from(signed_limb(a.limbs_[0]) * signed_limb(b.limbs_[0]));
+    }
+    for (int i = 0; i < n; ++i) {
+        std::uint64_t carry = 0;
+        for (int j = 0; j < m; ++j) {
+            const DoubleLimb t = DoubleLimb{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
+            product.limbs_[i + j] = static_cast<std::uint64_t>(t);
+            carry = static_cast<std::uint64_t>(t >> 64);
+        }
+        product.limbs_[i + m] = carry;
+    }
+    // Read as unsigned, a negative factor is too great by 2^(its width): take the other factor off, that far up.
+    if (less_than_zero(a)) product.take_off(b, n);
+    if (less_than_zero(b)) product.take_off(a, m);
+    return product;
+}
 
 template <int Limbs>
 Sign sign_of(const WideInteger<Limbs>& value) {

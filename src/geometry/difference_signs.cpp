@@ -1,11 +1,13 @@
 #include "geometry/difference_signs.hpp"
 
-#include "arithmetic/fixed_integer.hpp"
+#include "arithmetic/wide_integer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace cob {
 namespace {
@@ -87,20 +89,20 @@ std::optional<Sign> filtered(const Difference& p, const Difference& q, int axis)
 
 // ---------------------------------------------------------------------------------------------------- integers
 
-void occupy(BinaryRange& range, const PointReference& point, int axis) {
-    range.add(point.nearest()[axis]);
-    if (point.inexact()) range.add(point.inexact()->rest()[axis]);
+void occupy(BitSpan& span, const PointReference& point, int axis) {
+    span.add(point.nearest()[axis]);
+    if (point.inexact()) span.add(point.inexact()->rest()[axis]);
 }
 
-void occupy(BinaryRange& range, const Difference& difference) {
+void occupy(BitSpan& span, const Difference& difference) {
     for (int axis = 0; axis < 3; ++axis) {
-        occupy(range, difference.from, axis);
-        occupy(range, difference.to, axis);
+        occupy(span, difference.from, axis);
+        occupy(span, difference.to, axis);
     }
 }
 
-void occupy(BinaryRange& range, const Triple& triple) {
-    for (const Difference* difference : {&triple.p, &triple.q, &triple.r}) occupy(range, *difference);
+void occupy(BitSpan& span, const Triple& triple) {
+    for (const Difference* difference : {&triple.p, &triple.q, &triple.r}) occupy(span, *difference);
 }
 
 bool has_fraction(const Difference& difference) {
@@ -111,44 +113,51 @@ bool has_fraction(const Triple& triple) {
     return has_fraction(triple.p) || has_fraction(triple.q) || has_fraction(triple.r);
 }
 
-/// Numbers of so many binary places have differences (of sums of two) that fit `limbs` limbs, with 4 bits to spare
+/// Numbers of so many bits have differences (of sums of two) that fit `limbs` limbs, with 4 bits to spare
 /// for the sums of products of them.
-constexpr int places_in(int limbs) {
+constexpr int bits_in(int limbs) {
     return 64 * limbs - 6;
 }
 
 template <int limbs>
-FixedInteger<limbs> on_grid(const Difference& difference, int axis, int low) {
-    FixedInteger<limbs> value = to_fixed<limbs>(difference.to.nearest()[axis], low);
-    value -= to_fixed<limbs>(difference.from.nearest()[axis], low);
-    if (const ExactPoint* exact = difference.to.inexact()) value += to_fixed<limbs>(exact->rest()[axis], low);
-    if (const ExactPoint* exact = difference.from.inexact()) value -= to_fixed<limbs>(exact->rest()[axis], low);
+WideInteger<limbs> on_grid(const Difference& difference, int axis, int low) {
+    using Number = WideInteger<limbs>;
+    Number value = Number(difference.to.nearest()[axis], low) - Number(difference.from.nearest()[axis], low);
+    if (const ExactPoint* exact = difference.to.inexact()) value = value + Number(exact->rest()[axis], low);
+    if (const ExactPoint* exact = difference.from.inexact()) value = value - Number(exact->rest()[axis], low);
     return value;
 }
 
+/// a d - b c.
+template <int n, int m>
+WideInteger<n + m> determinant_2d(const WideInteger<n>& a, const WideInteger<n>& b, const WideInteger<m>& c,
+                                  const WideInteger<m>& d) {
+    return widening_product(a, d) - widening_product(b, c);
+}
+
 template <int limbs>
-FixedInteger<3 * limbs> on_grid(const Triple& triple, int low) {
-    FixedInteger<limbs> p[3], q[3], r[3];
+WideInteger<3 * limbs> on_grid(const Triple& triple, int low) {
+    WideInteger<limbs> p[3], q[3], r[3];
     for (int axis = 0; axis < 3; ++axis) {
         p[axis] = on_grid<limbs>(triple.p, axis, low);
         q[axis] = on_grid<limbs>(triple.q, axis, low);
         r[axis] = on_grid<limbs>(triple.r, axis, low);
     }
-    FixedInteger<3 * limbs> sum;
+    WideInteger<3 * limbs> sum;
     for (int axis = 0; axis < 3; ++axis) {
         const int a = next(axis), b = next(a);
-        sum += p[axis] * (q[a] * r[b] - q[b] * r[a]);
+        sum = sum + widening_product(p[axis], determinant_2d(q[a], q[b], r[a], r[b]));
     }
     return sum;
 }
 
-/// Calls `evaluate` with the number of limbs that so many places need, as a type; nothing beyond four limbs.
+/// Calls `evaluate` with the number of limbs that so many bits need, as a type; nothing beyond four limbs.
 template <class Evaluate>
-std::optional<Sign> in_fixed_width(const BinaryRange& range, Evaluate evaluate) {
-    if (range.places() == 0) return Sign::zero;
-    if (range.places() <= places_in(1)) return evaluate(std::integral_constant<int, 1>{});
-    if (range.places() <= places_in(2)) return evaluate(std::integral_constant<int, 2>{});
-    if (range.places() <= places_in(4)) return evaluate(std::integral_constant<int, 4>{});
+std::optional<Sign> in_fixed_width(const BitSpan& span, Evaluate evaluate) {
+    if (span.only_zeros()) return Sign::zero;
+    if (span.bits() <= bits_in(1)) return evaluate(std::integral_constant<int, 1>{});
+    if (span.bits() <= bits_in(2)) return evaluate(std::integral_constant<int, 2>{});
+    if (span.bits() <= bits_in(4)) return evaluate(std::integral_constant<int, 4>{});
     return std::nullopt;
 }
 
@@ -172,10 +181,10 @@ bool operator==(const PointReference& a, const PointReference& b) {
 
 Sign exact_sign_of(const Triple& triple, const SignContext& context) {
     if (context.fallback == Fallback::integers && !has_fraction(triple)) {
-        BinaryRange range;
-        occupy(range, triple);
-        const auto sign = in_fixed_width(
-            range, [&](auto limbs) { return on_grid<decltype(limbs)::value>(triple, range.low).sign(); });
+        BitSpan span;
+        occupy(span, triple);
+        const auto sign =
+            in_fixed_width(span, [&](auto limbs) { return on_grid<decltype(limbs)::value>(triple, span.low).sign(); });
         if (sign) {
             ++context.counters->integer;
             return *sign;
@@ -200,16 +209,16 @@ Sign cross_component(const Difference& p, const Difference& q, int axis, const S
     }
     const int a = next(axis), b = next(a);
     if (context.fallback == Fallback::integers && !has_fraction(p) && !has_fraction(q)) {
-        BinaryRange range;
+        BitSpan span;
         for (const Difference* difference : {&p, &q})
             for (const PointReference* end : {&difference->from, &difference->to}) {
-                occupy(range, *end, a);
-                occupy(range, *end, b);
+                occupy(span, *end, a);
+                occupy(span, *end, b);
             }
-        const auto sign = in_fixed_width(range, [&](auto limbs) {
+        const auto sign = in_fixed_width(span, [&](auto limbs) {
             constexpr int n = decltype(limbs)::value;
-            return (on_grid<n>(p, a, range.low) * on_grid<n>(q, b, range.low) -
-                    on_grid<n>(p, b, range.low) * on_grid<n>(q, a, range.low))
+            return determinant_2d(on_grid<n>(p, a, span.low), on_grid<n>(p, b, span.low), on_grid<n>(q, a, span.low),
+                                  on_grid<n>(q, b, span.low))
                 .sign();
         });
         if (sign) {
@@ -225,12 +234,12 @@ Sign sign_of_determinant(const Triple& a, const Triple& b, const Triple& c, cons
                          const SignContext& context) {
     if (context.fallback == Fallback::integers && !has_fraction(a) && !has_fraction(b) && !has_fraction(c) &&
         !has_fraction(d)) {
-        BinaryRange range;
-        for (const Triple* triple : {&a, &b, &c, &d}) occupy(range, *triple);
-        const auto sign = in_fixed_width(range, [&](auto limbs) {
+        BitSpan span;
+        for (const Triple* triple : {&a, &b, &c, &d}) occupy(span, *triple);
+        const auto sign = in_fixed_width(span, [&](auto limbs) {
             constexpr int n = decltype(limbs)::value;
-            return (on_grid<n>(a, range.low) * on_grid<n>(d, range.low) -
-                    on_grid<n>(b, range.low) * on_grid<n>(c, range.low))
+            return determinant_2d(on_grid<n>(a, span.low), on_grid<n>(b, span.low), on_grid<n>(c, span.low),
+                                  on_grid<n>(d, span.low))
                 .sign();
         });
         if (sign) {

@@ -1,8 +1,6 @@
 // The orientation predicates against fractions: every stage must occur, every sign must occur in every stage.
 #include "arithmetic/orientation.hpp"
 
-#include "arithmetic/wide_integer.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,43 +79,6 @@ TEST(Orientation, TakesExactPointsOfAnyProvenance) {
     EXPECT_GE(seen[Stage::filter].size(), 2u);
     EXPECT_EQ(seen[Stage::integer].size(), 3u);
     EXPECT_EQ(seen[Stage::rational].size(), 3u);
-}
-
-template <int Limbs>
-void agrees_with_integers() {
-    std::mt19937_64 random(Limbs);
-    for (int round = 0; round < 500; ++round) {
-        const double a = std::ldexp(static_cast<double>(random() >> 11) - 0x1p52, static_cast<int>(random() % 20));
-        const double b = std::ldexp(static_cast<double>(random() >> 11) - 0x1p52, static_cast<int>(random() % 20));
-        const Integer wide = (Integer(a) << 20) - Integer(b), other = Integer(b) + 7;
-        if (msb(Integer(abs(wide) * abs(other))) + 2 >= 64 * Limbs) continue;
-        using Wide = WideInteger<Limbs>;
-        const Wide x = Wide(a, -20) - Wide(b, 0), y = Wide(b, 0) + Wide(7);
-        ASSERT_EQ(x * y, Wide(Integer(wide * other), 0));
-        ASSERT_EQ(-(x * y), Wide(Integer(-wide * other), 0));
-        ASSERT_EQ(x < y, wide < other);
-        ASSERT_EQ(x > y, wide > other);
-        ASSERT_EQ(sign_of(x - y), sign_of(Integer(wide - other)));
-        ASSERT_EQ(sign_of(x - x), Sign::zero);
-    }
-}
-
-TEST(WideInteger, AgreesWithGmp) {
-    agrees_with_integers<4>();
-    agrees_with_integers<8>();
-    agrees_with_integers<16>();
-}
-
-TEST(WideInteger, CountsBits) {
-    BitSpan span;
-    span.add(0);
-    EXPECT_TRUE(span.only_zeros());
-    span.add(-6);
-    EXPECT_EQ(span.low, 1);
-    EXPECT_EQ(span.high, 3);
-    span.add(0x1p-1074);
-    EXPECT_EQ(span.low, -1074);
-    EXPECT_EQ(span.bits(), 1077);
 }
 
 }  // namespace
