@@ -24,6 +24,13 @@ enum class BufferMode : std::uint8_t {
     inherit,  ///< The paper's: they are occluded, too, without a test.
 };
 
+/// From which buffers an element's buffer is built (the paper's section 7).
+enum class BufferLevels : std::uint8_t {
+    element,  ///< None, one level: from the whole scene.
+    polygon,  ///< Two levels: from the buffer over its whole root.
+    tree,     ///< Every level: from the nearest element around it.
+};
+
 /// The buffer of one element: a state and the place of its list. Before it is built, uninitialised.
 class CloseObjectBuffer {
 public:

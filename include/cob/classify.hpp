@@ -56,13 +56,6 @@ std::string to_address(const Roots& roots, const Element& element);
 /// Reads either form. Throws InputError where the text is no address or the scene has no such element.
 Element parse_address(const Scene& scene, const Roots& roots, const std::string& text);
 
-/// Which buffers an element's buffer is built from.
-enum class BufferLevels : std::uint8_t {
-    element,  ///< None: from the whole scene.
-    polygon,  ///< That of its root, two levels (paper, section 7).
-    tree,     ///< All that ElementList::around() gives.
-};
-
 struct ClassifyOptions {
     BufferOptions buffer;
     BufferLevels levels = BufferLevels::element;

@@ -35,12 +35,6 @@ enum class Strength : std::uint8_t {
     flux,      ///< Unobstructed A_i dM_i, summed over channels, as a share of the shooter's flux A_j dM_j.
     paper,     ///< Equation (1) as printed: reflectance times the form factor from centre to centre.
 };
-/// From which buffers an element's buffer is built (the paper's section 7).
-enum class BufferLevels : std::uint8_t {
-    element,  ///< One level: from the whole scene.
-    polygon,  ///< Two: from the buffer over the whole piece.
-    tree,     ///< From the nearest element around it whose buffer is built; its root's, where there is none.
-};
 
 struct RadiosityOptions {
     Refinement refinement = Refinement::both;
