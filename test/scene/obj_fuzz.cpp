@@ -79,8 +79,8 @@ namespace {
 const char* const seeds[] = {
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf -4 -3 -2\n",
     "mtllib a b.mtl\r\nv 0 0 0 1\r\nv 2 0 0 0.5 .25 1\r\nv 2 2 0x1p-3\r\nusemtl a\r\nf 1/1 2//2 3/3/3\r\n",
-    "# holes on bridges\nv 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n"
-    "f 1 2 3 4 1 5 6 7 8 5\nf 4 3 2 1\nf 1 2 7 6\n",
+    ("# holes on bridges\nv 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n"
+     "f 1 2 3 4 1 5 6 7 8 5\nf 4 3 2 1\nf 1 2 7 6\n"),
     "v 1e300 -1e300 5e-324\nv 1e-300 0 -0\nv 3e307 1 1\nv 1e308 1e308 1e308\nf 1 2 3 \\\n 4\nf 4 3 2 1\n",
     "newmtl lamp\nKd .5 .5 .5\nKe 10 10 10\nnewmtl grey # name\nKd 1\nmap_Kd x.png\nTf 1 1 1\n",
     "v 0 0 0\nv 1 0 1\nv 1 1 0\nv 0 1 1\nv 2 2 2\nf 1 2 3 4\nf 1 3 2 4\nf 1 2 1 2\nf 1 1 1\nf 1 2\nf 1 2 3 4 5\n",
