@@ -23,7 +23,7 @@ struct Root {
     PieceId piece = -1;
     std::array<VertexId, 4> corners{};  ///< Counter-clockwise as seen; the fourth -1 for a triangle.
     std::uint8_t longest_side = 0;      ///< Base-edge direction u runs from this corner to the next (choice 2).
-    RootId id = -1;                        ///< Its own index in Roots::all().
+    RootId id = -1;                     ///< Its own index in Roots::all().
 
     int corner_count() const { return corners[3] < 0 ? 3 : 4; }
 };
