@@ -156,19 +156,22 @@ bool on_lattice(const IntegerQuery& query, Integers<2>& integers) {
     const double steps = std::ldexp(1.0, -exponent);
 
     // Multiples of the step whose distance from the origin is less than 2^38 of it: differences are exact.
-    const auto is_integer = [](double value) {
-        return std::abs(value) < 0x1p62 && static_cast<double>(static_cast<std::int64_t>(value)) == value;
-    };
     bool exact = true;
+    const auto in_steps = [&](double coordinate) {
+        const double value = coordinate * steps;
+        const bool is_integer =
+            std::abs(value) < 0x1p62 && static_cast<double>(static_cast<std::int64_t>(value)) == value;
+        const bool underflown = value == 0 && coordinate != 0;  // beside coordinates above 2^38
+        exact = exact && is_integer && !underflown;
+        return value;
+    };
     Vector3<double> origin;
     const auto convert = [&](double coordinate, int k) {
-        const double value = coordinate * steps;
-        exact = exact && is_integer(value);
+        const double value = in_steps(coordinate);
         return WideInteger<2>(exact ? static_cast<std::int64_t>(value - origin[k]) : 0);
     };
     for (int k = 0; k < 3; ++k) {
-        origin[k] = box.aligned->coordinate(box.origin, k) * steps;
-        exact = exact && is_integer(origin[k]);
+        origin[k] = in_steps(box.aligned->coordinate(box.origin, k));
         const auto& side = (*box.aligned->sides)[static_cast<std::size_t>(k)];
         exact = exact && side[0].rest == 0 && side[1].rest == 0;
         if (!exact) return false;

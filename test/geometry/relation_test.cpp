@@ -171,6 +171,19 @@ TEST(Covers, IsAskedOfOnePolygon) {
 
 // h is "in general irrational; comparing with it is exact all the same": h = sqrt(2) over the square of side
 // sqrt(2) that stands on its corner.
+// SPEC 1: coordinates of any size beside each other; none is taken for zero.
+TEST(Range, TheLeastHeightBesideAHugeElement) {
+    for (const double side : {0x1p840, 0x1p866, 0x1p902, 0x1p903, 0x1p940, 0x1p1000}) {
+        const Box box(question_of({{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, 0, 1));
+        for (const double above : {-0x1p-1074, 0x1p-1074, -0x1p-200, 0x1p-200}) {
+            const Loop leaning = {{-side, 0, 0}, {-side, side, 0}, {side / 2, side / 2, above}};
+            EXPECT_STREQ(to_text(answer_of(leaning, box).relation),
+                         to_text(above < 0 ? Relation::disjoint : Relation::crossing))
+                << "side " << side << ", height " << above;
+        }
+    }
+}
+
 TEST(Height, IsComparedExactlyWhereIrrational) {
     const Box box(question_of({{1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}}, 0, 1));
     const double above = std::sqrt(2.0), below = std::nextafter(above, 0.0);
