@@ -43,12 +43,6 @@ std::optional<int> flat_axis(const Corners& corners) {
     return std::nullopt;
 }
 
-/// The fraction as a binary64 number, where it is one: mostly without rounding a quotient.
-std::optional<double> binary64(const Rational& value) {
-    const double truncated = mpq_get_d(value.backend().data());
-    return Rational(truncated) == value ? std::optional<double>(truncated) : std::nullopt;
-}
-
 using Number = WideInteger<6>;
 
 /// value 2^unit as its first 53 bits and the 53 after them; nothing where it has more, or is out of range.
@@ -76,7 +70,7 @@ std::optional<AlignedBox> AlignedBox::of(const BoxQuestion& question) {
     for (int i = 0; i < corners.count; ++i)
         if (corners.points[static_cast<std::size_t>(i)].has_fraction()) return std::nullopt;
     const std::optional<int> u_axis = parallel_axis(question.u), n_axis = flat_axis(corners);
-    const std::optional<double> margin = binary64(question.margin), height = binary64(question.height);
+    const std::optional<double> margin = to_binary64(question.margin), height = to_binary64(question.height);
     if (!u_axis || !n_axis || *u_axis == *n_axis || !margin || !height) return std::nullopt;
 
     // Directions: n by the turn of the corners, w = n x u.

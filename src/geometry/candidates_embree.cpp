@@ -22,6 +22,9 @@ constexpr double reach = 4;
 /// Ends beyond this are too far off to be cut in binary64 with an error that the margin covers.
 constexpr double farthest = 0x1p20;
 
+/// Larger scenes would need a subnormal scale, which Embree's threads take for zero.
+constexpr double largest_extent = 0x1p1020;
+
 /// What walking along a segment in binary32 costs, in the moved and scaled scene. Ends in [-4, 4] are rounded by at
 /// most 2^-23 and the direction in [-8, 8] by 2^-22, so every point of the segment is off by less than 2^-21; cutting
 /// it adds 2^-31, the bounds' own rounding 2^-24, and Embree's robust walk takes care of its own. 2^-18 has room to
@@ -32,17 +35,18 @@ constexpr double walking_margin = 0x1p-18;
 struct Normalisation {
     Point centre;
     double scale = 1;
+    double extent = 0;
     double margin = walking_margin;
 
     explicit Normalisation(const Bounds& all) {
-        double extent = 0, greatest = 0;
+        double greatest = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             centre[static_cast<int>(axis)] = all.middle(axis);
             extent = std::max(extent, all.high[axis] / 2 - all.low[axis] / 2);
             greatest = std::max({greatest, std::abs(all.high[axis]), std::abs(all.low[axis])});
         }
         // Scenes smaller than 2^-1000 stay small, and everything is a candidate.
-        scale = std::ldexp(1.0, -std::max(-1000, std::min(1020, std::ilogb(extent) + 1)));
+        scale = std::ldexp(1.0, -std::max(-1000, std::ilogb(extent) + 1));
         // Where the scene is far from the origin: the rounding of the ends to binary64, and of the subtraction.
         margin += 16 * 0x1p-53 * (greatest * scale + reach);
     }
@@ -89,7 +93,7 @@ public:
 
     void pieces_along(const Point& from, const Point& to, Callback callback) const override {
         std::call_once(built_, [this] { build(); });
-        if (!tree_) return;
+        if (!tree_) return others_->pieces_along(from, to, callback);
         // 1. Into the cube in which binary32 is near enough; what comes from too far is left to the other tree.
         Point x = (*normalisation_)(from), y = (*normalisation_)(to);
         if (!(greatest_coordinate(x) <= reach && greatest_coordinate(y) <= reach)) {
@@ -165,6 +169,7 @@ private:
         Bounds all;
         for (const Piece& piece : scene_.pieces()) all.add(bounds_of(scene_, scene_.corners(piece)));
         normalisation_.emplace(all);
+        if (normalisation_->extent >= largest_extent) return;  // the other tree serves alone
 
         device_ = rtcNewDevice(nullptr);
         if (!device_) throw InputError("Embree cannot start here", {"", 0, "", "choose another source of candidates"});

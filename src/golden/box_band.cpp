@@ -21,6 +21,14 @@ std::array<double, 6> grown(const std::array<double, 6>& bounds) {
     return result;
 }
 
+/// The square root of a positive fraction to 53 bits, also where binary64 has no number as large or small.
+Rational rounded_root(const Rational& square) {
+    const int half = (static_cast<int>(msb(numerator(square))) - static_cast<int>(msb(denominator(square)))) / 2;
+    const Integer power_of_two = Integer(1) << static_cast<unsigned>(std::abs(half));
+    const Rational unit = half < 0 ? Rational(Integer(1), power_of_two) : Rational(power_of_two);
+    return unit * Rational(std::sqrt(to_nearest(square / (unit * unit))));
+}
+
 /// The question scaled about the centre of its box: everything is similar but for the height, whose half is rounded
 /// to a binary64 multiple of the normal.
 class ScaledQuestion {
@@ -43,8 +51,8 @@ public:
         const Rational along_u = high[0] - low[0], along_w = high[1] - low[1];
         const Rational shorter = std::min(Rational(along_u * along_u * uu), Rational(along_w * along_w * ww));
         const Rational height = question.height * (1 + 2 * question.margin);
-        const double half = std::sqrt(to_nearest(height * height * shorter / nn)) / 2;
-        centre_ = corners_[0] + (low[0] + high[0]) / 2 * u + (low[1] + high[1]) / 2 * w + Rational(half) * n;
+        const Rational half = rounded_root(height * height * shorter / nn) / 2;
+        centre_ = corners_[0] + (low[0] + high[0]) / 2 * u + (low[1] + high[1]) / 2 * w + half * n;
     }
 
     Box box(const Rational& factor) const {

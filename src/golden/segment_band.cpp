@@ -59,8 +59,8 @@ bool add_exactly(std::array<double, 4> terms, double& nearest, double& rest) {
 
 /// point + sign * move, exactly.
 ExactPoint moved(const ExactPoint& point, const Move& move, double sign) {
-    const double factor = std::ldexp(sign, move.power);
     if (!point.has_fraction() && std::abs(move.power) < 200) {
+        const double factor = std::ldexp(sign, move.power);
         Point nearest, rest;
         bool exact = true;
         for (int axis = 0; axis < 3 && exact; ++axis) {
@@ -70,7 +70,9 @@ ExactPoint moved(const ExactPoint& point, const Move& move, double sign) {
         }
         if (exact) return ExactPoint::from_pair(nearest, rest);
     }
-    return ExactPoint(point.rational() + Rational(factor) * (to_rational(move.a) - to_rational(move.b)));
+    const Integer power_of_two = Integer(1) << static_cast<unsigned>(std::abs(move.power));
+    const Rational factor = move.power < 0 ? Rational(Integer(1), power_of_two) : Rational(power_of_two);
+    return ExactPoint(point.rational() + Rational(sign * factor) * (to_rational(move.a) - to_rational(move.b)));
 }
 
 bool stays(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility visibility, int k) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <cmath>
 
 namespace cob::test {
@@ -206,6 +207,19 @@ TEST(Height, IsOfTheShorterWidenedExtent) {
     EXPECT_EQ(answer_of(sheet(.25, -9, -2), box).relation, Relation::disjoint);
     EXPECT_EQ(answer_of({{-9, -9, .25}, {-2, -9, .25}, {-2, 9, .25}, {-9, 9, .25}}, box).relation, Relation::boundary);
     EXPECT_EQ(answer_of({{-9, 1.5, .25}, {9, 1.5, .25}, {9, 9, .25}, {-9, 9, .25}}, box).relation, Relation::boundary);
+}
+
+// A margin or height may be any fraction (SPEC 7), also one that no binary64 number is near.
+TEST(Height, AndMarginMayBeBeyondBinary64) {
+    const Rational huge = boost::multiprecision::pow(Integer(10), 400);
+    const Loop square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Loop slanted = {{1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}};
+    for (const Loop& corners : {square, slanted}) {
+        EXPECT_EQ(answer_of(sheet(DBL_MAX, -9, 9), Box(question_of(corners, 0, huge))).relation, Relation::crossing);
+        EXPECT_EQ(answer_of(sheet(.5, 1e300, 2e300), Box(question_of(corners, huge, 1))).relation, Relation::crossing);
+        EXPECT_EQ(answer_of(sheet(0x1p-1074, -9, 9), Box(question_of(corners, 0, 1 / huge))).relation,
+                  Relation::disjoint);
+    }
 }
 
 TEST(Box, RefusesWhatSpec4Refuses) {

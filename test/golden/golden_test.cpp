@@ -80,6 +80,20 @@ TEST(Golden, SetsAgreeWithTheNaiveTwin) {
     }
 }
 
+// SPEC 1: "for any finite input, 1e-300, 1e300 and subnormals included", in one scene: lengths, heights and moves of
+// which binary64 knows only 0 and infinity.
+TEST(Golden, AScene600OrdersOfMagnitudeLongIsAnswered) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "scene.obj",
+               "v 0 0 0\nv 1e-300 0 0\nv 1e-300 1e300 0\nv 0 1e300 0\nv 0 0 1\nv 1e-300 0 1\nv 0 1e300 -1\n"
+               "f 1 2 3 4\nf 5 6 7\n");
+    const GoldenResult result = make_golden(folder / "scene.obj", folder / "set", small_set());
+    EXPECT_GE(result.boxes, 2u);
+    EXPECT_GE(result.segments, 60u);
+    const test::TwinCheck check = test::check_with_twin(folder / "set");
+    for (const std::string& difference : check.differences) ADD_FAILURE() << difference;
+}
+
 TEST(Golden, EveryHardKindIsMade) {
     const test::TemporaryFolder folder;
     GoldenParameters parameters = small_set();

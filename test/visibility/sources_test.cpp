@@ -71,12 +71,13 @@ TEST(Sources, OneAnswerOnEveryShippedScene) {
     }
 }
 
-// Small and large scenes near and far from the origin, with segments from within and from far outside.
+// Small and large scenes near and far from the origin, up to the largest binary64 numbers, with segments from within
+// and from far outside.
 TEST(Sources, OneAnswerWhateverTheScale) {
     for (int seed = 0; seed < random_scenes; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const int exponents[] = {0, 0, 0, 30, -30, 500, -500, -1060, 1010};
-        const int exponent = exponents[random.integer(0, 8)];
+        const int exponents[] = {0, 0, 0, 30, -30, 500, -500, -1060, 1010, 1021};
+        const int exponent = exponents[random.integer(0, 9)];
         const double offset = random.integer(0, 3) == 0 ? 1048576.0 * random.integer(1, 1000) : 0;
         std::vector<Loop> loops = random.integer(0, 1) == 0 ? lattice_terrain(random, 6, 2)
                                                             : lattice_soup(random, random.integer(1, 20), 6, 3);
@@ -90,7 +91,8 @@ TEST(Sources, OneAnswerWhateverTheScale) {
         const Scene scene = scene_of(loops, true);
         std::vector<Segment> segments;
         for (int k = 0; k < 50; ++k) {
-            const int far = random.integer(0, 5) == 0 ? 5000 : random.integer(0, 5) == 0 ? 30 : 7;
+            const int finite = exponent > 1010 ? 7 : 5000;
+            const int far = std::min(finite, random.integer(0, 5) == 0 ? 5000 : random.integer(0, 5) == 0 ? 30 : 7);
             const Segment segment{placed(random.lattice_point(-1, 7)), placed(random.lattice_point(-far, far))};
             if (segment.from != segment.to) segments.push_back(segment);
         }
