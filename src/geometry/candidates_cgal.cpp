@@ -1,6 +1,7 @@
 // CGAL's AABB tree, with bounds and traversal of our own: CGAL's would construct primitives and intersect them, where
 // only names are wanted.
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "geometry/bounds.hpp"
@@ -32,9 +33,12 @@ private:
 };
 
 /// Model of AABBTraits as far as building and walking a tree go. The bounds of the primitives are needed only while
-/// it is built. A kernel too, because the tree's (unused) search for nearest points wants one.
-class TreeTraits : public Kernel {
+/// it is built. A kernel, too, and traits of a search, because the tree's (unused) search for nearest points wants one
+/// or the other (before and since CGAL 6).
+class TreeTraits : public Kernel, public CGAL::Search_traits_3<Kernel> {
 public:
+    using FT = Kernel::FT;
+    using Point = Kernel::Point_3;
     using Geom_traits = Kernel;
     using Primitive = NumberedPrimitive;
     using Bounding_box = Bounds;
