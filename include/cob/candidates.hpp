@@ -29,7 +29,13 @@ public:
     virtual std::size_t memory() const = 0;
 };
 
-enum class Source : std::uint8_t { all, cgal, embree };
+/// Where candidates come from.
+enum class Source : std::uint8_t {
+    all,     ///< Everything, without a tree.
+    cgal,    ///< CGAL's AABB tree.
+    embree,  ///< Embree's, for segments; boxes ask CGAL's.
+    octree,  ///< A loose octree: a baseline to measure the others against.
+};
 
 const char* to_text(Source source);
 

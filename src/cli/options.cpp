@@ -66,12 +66,14 @@ void MeshingOptions::set(BufferOptions& options) const {
 }
 
 void SourceOption::add_to(CLI::App& command) {
-    command.add_option("--source", name, "Where candidates come from: a CGAL AABB tree, Embree, or all polygons")
-        ->check(CLI::IsMember({"cgal", "embree", "all"}));
+    command.add_option("--source", name, "Where candidates come from: a CGAL AABB tree, Embree, an octree, or all polygons")
+        ->check(CLI::IsMember({"cgal", "embree", "octree", "all"}));
 }
 
 Source SourceOption::source() const {
-    return name == "all" ? Source::all : name == "embree" ? Source::embree : Source::cgal;
+    for (const Source source : {Source::all, Source::embree, Source::octree})
+        if (name == to_text(source)) return source;
+    return Source::cgal;
 }
 
 void add_threads(CLI::App& command, int& threads) {

@@ -39,6 +39,8 @@ const char* to_text(Source source) {
             return "cgal";
         case Source::embree:
             return "embree";
+        case Source::octree:
+            return "octree";
     }
     return "";
 }
@@ -58,6 +60,8 @@ std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source sour
             return std::make_unique<AllCandidates>(scene);
         case Source::cgal:
             return make_cgal_candidates(scene);
+        case Source::octree:
+            return make_octree_candidates(scene);
         case Source::embree:
 #ifdef COB_HAS_EMBREE
             return make_embree_candidates(scene);

@@ -61,7 +61,8 @@ TEST(Levels, EveryLevelGivesWhatTheWholeSceneGives) {
         const Scene scene = test::random_room(seed);
         const Roots roots(scene);
         const ElementList elements(scene, roots, Meshing{seed % 3 == 0 ? 3.0 : 0.0, seed % 3 == 0 ? 1 : 2});
-        const auto tree = make_candidates(scene, Source::cgal), all = make_candidates(scene, Source::all);
+        const auto tree = make_candidates(scene, seed % 2 == 0 ? Source::cgal : Source::octree);
+        const auto all = make_candidates(scene, Source::all);
         ClassifyOptions options;
         const auto expected = classify_all(elements, *all, options);
         for (const auto& element : expected) ++met[element.found.state];

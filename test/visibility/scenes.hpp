@@ -35,7 +35,7 @@ inline Scene scene_of(const std::vector<Loop>& loops, bool skip_invalid = false)
 /// Every source of candidates that this build has.
 inline std::vector<Source> sources() {
     std::vector<Source> all;
-    for (const Source source : {Source::all, Source::cgal, Source::embree})
+    for (const Source source : {Source::all, Source::cgal, Source::octree, Source::embree})
         if (is_available(source)) all.push_back(source);
     return all;
 }
