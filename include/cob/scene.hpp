@@ -112,6 +112,10 @@ private:
     std::vector<InvalidPolygon> invalid_;
 };
 
+/// What the scene was built from, repeated positions dropped: to build a changed one. Polygons that were left out come
+/// again.
+Scene::Input input_of(const Scene& scene);
+
 /// What a reader met besides the scene.
 struct ReadReport {
     std::map<std::string, std::size_t> skipped;  ///< Unknown statements and how often.

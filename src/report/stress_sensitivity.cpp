@@ -23,9 +23,7 @@ std::uint64_t mixed(std::uint64_t x) {
 
 /// Every coordinate one ulp up or down. Positions that were equal stay so: the direction hangs on the position alone.
 Scene moved(const Scene& scene, std::uint64_t pattern) {
-    Scene::Input input;
-    input.name = scene.name();
-    input.positions = scene.positions();
+    Scene::Input input = input_of(scene);
     std::map<Point, std::uint64_t> number;
     for (Point& p : input.positions) {
         const std::uint64_t bits = mixed(pattern ^ mixed(number.emplace(p, number.size()).first->second));
@@ -33,14 +31,6 @@ Scene moved(const Scene& scene, std::uint64_t pattern) {
             const double infinity = std::numeric_limits<double>::infinity();
             p[axis] = std::nextafter(p[axis], (bits >> axis) & 1 ? infinity : -infinity);
         }
-    }
-    input.materials = scene.materials();
-    for (PolygonId id = 0; id < scene.polygon_count(); ++id) {
-        Scene::Face face;
-        face.material = scene.polygon(id).material;
-        face.line = scene.polygon(id).line;
-        for (const VertexId vertex : scene.loop(id)) face.corners.push_back(vertex);
-        input.faces.push_back(std::move(face));
     }
     return Scene::build(std::move(input), Scene::Options{true});
 }

@@ -162,6 +162,18 @@ View<VertexId> Scene::corners(const Piece& piece) const {
     return {begin, begin + piece.corner_count};
 }
 
+Scene::Input input_of(const Scene& scene) {
+    Scene::Input input;
+    input.name = scene.name();
+    input.positions = scene.positions();
+    input.materials = scene.materials();
+    for (PolygonId id = 0; id < scene.polygon_count(); ++id) {
+        const View<VertexId> loop = scene.loop(id);
+        input.faces.push_back({{loop.begin(), loop.end()}, scene.polygon(id).material, scene.polygon(id).line});
+    }
+    return input;
+}
+
 std::vector<std::array<std::uint32_t, 3>> cut_into_triangles(const Scene& scene, const Piece& piece) {
     if (piece.corner_count == 3) return {{0, 1, 2}};
     std::vector<Point> positions;
