@@ -39,6 +39,7 @@ enum class Strength : std::uint8_t {
 struct RadiosityOptions {
     Refinement refinement = Refinement::both;
     double patch_edge = 0;  ///< Longest side of a patch, scene units; 0: a twelfth of the scene's longest extent.
+    double light_edge = 0;  ///< The same for polygons that emit; 0: patch_edge.
 
     /// The buffer's refinement.
     struct Buffer {
@@ -48,6 +49,7 @@ struct RadiosityOptions {
         double threshold = 0.05;  ///< Weaker interactions do not refine.
         BufferLevels levels = BufferLevels::tree;
         BufferMode mode = BufferMode::strict;
+        bool skip_occluded = true;  ///< Step 1; false: shoot at occluded elements, too, to see what step 1 saves.
     } buffer;
 
     /// Refinement where the exitance at an element's corners differs by more than threshold times its mean.

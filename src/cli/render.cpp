@@ -202,6 +202,9 @@ void add_render(CLI::App& app) {
     command->add_option("--edge", o.patch_edge, "Longest side of a patch; 0: a twelfth of the scene's longest extent")
         ->check(CLI::NonNegativeNumber)
         ->group("Refinement");
+    command->add_option("--light-edge", o.light_edge, "Longest side of a light's patch; 0: as --edge")
+        ->check(CLI::NonNegativeNumber)
+        ->group("Refinement");
     command->add_option("--buffer-edge", o.buffer.minimum_edge, "The buffer's minimum edge; 0: a sixteenth of --edge")
         ->check(CLI::NonNegativeNumber)
         ->group("Refinement");

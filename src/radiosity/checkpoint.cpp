@@ -78,11 +78,13 @@ std::uint64_t fingerprint(const Scene& scene, const RadiosityOptions& o) {
     all.text += to_text(o.buffer.margin) + " " + to_text(o.buffer.height);
     all.value(o.refinement);
     all.value(o.patch_edge);
+    all.value(o.light_edge);
     all.value(o.buffer.minimum_edge);
     all.value(o.buffer.strength);
     all.value(o.buffer.threshold);
     all.value(o.buffer.levels);
     all.value(o.buffer.mode);
+    all.value(o.buffer.skip_occluded);
     all.value(o.gradient.threshold);
     all.value(o.gradient.minimum_edge);
     all.value(o.gradient.floor);

@@ -139,7 +139,8 @@ void RadiositySolver::State::decide(const Shot& shot, Batch& batch) const {
         work.action = Work::Action::skip;
         const Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
         // Step 1: totally occluded, by the buffer or by a sheet in its plane: no shot.
-        const bool occluded = uses_buffer() && cell.buffer.state() == BufferState::occluded;
+        const bool occluded =
+            uses_buffer() && options.buffer.skip_occluded && cell.buffer.state() == BufferState::occluded;
         if (occluded || cell.cover.kind == Cover::Kind::wholly) {
             ++batch.counters.skipped_occluded;
             continue;
@@ -246,6 +247,10 @@ void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
                 }
                 switch (cell.buffer.state()) {
                     case BufferState::occluded:
+                        if (!options.buffer.skip_occluded) {
+                            work.action = Work::Action::shoot;
+                            break;
+                        }
                         work.action = Work::Action::skip;
                         ++batches[k].counters.skipped_occluded;
                         break;

@@ -66,11 +66,12 @@ std::size_t Mesh::KeyHash::operator()(const Key& key) const {
     return static_cast<std::size_t>(hash);
 }
 
-Mesh::Mesh(const Scene& scene, const Roots& roots, double patch_edge)
+Mesh::Mesh(const Scene& scene, const Roots& roots, double patch_edge, double light_edge)
     : scene_(scene), roots_(roots), exponent_(unit_exponent(scene)), first_at_position_(first_at_positions(scene)) {
     for (RootId root = 0; root < roots.size(); ++root) {
         first_patch_.push_back(static_cast<NodeId>(nodes_.size()));
-        for (const Element& element : patches(scene, roots[root], patch_edge)) add_node(element, -1, -1, 0);
+        const double edge = scene.is_light(roots[root].polygon) ? light_edge : patch_edge;
+        for (const Element& element : patches(scene, roots[root], edge)) add_node(element, -1, -1, 0);
     }
     patch_count_ = static_cast<NodeId>(nodes_.size());
     first_patch_.push_back(patch_count_);

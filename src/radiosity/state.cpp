@@ -39,7 +39,7 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
     const PhaseTimer timer(times.meshing);
     check_options();
     candidates = make_candidates(scene, scene.polygon_count() <= 32 ? Source::all : Source::cgal);
-    mesh = std::make_unique<Mesh>(scene, roots, options.patch_edge);
+    mesh = std::make_unique<Mesh>(scene, roots, options.patch_edge, options.light_edge);
     sheets = std::make_unique<Sheets>(scene, *candidates);
     arena_.execute([&] { transport = std::make_unique<Transport>(scene, *mesh, *candidates, *sheets, options); });
     builder = std::make_unique<BufferBuilder>(
@@ -80,6 +80,8 @@ void RadiositySolver::State::check_options() {
     RadiosityOptions& o = options;
     if (!(o.patch_edge >= 0)) refuse("a patch edge must not be negative", to_text(o.patch_edge), "give a length");
     if (o.patch_edge == 0) o.patch_edge = longest_extent(scene) / 12;
+    if (!(o.light_edge >= 0)) refuse("a light's edge must not be negative", to_text(o.light_edge), "give a length");
+    if (o.light_edge == 0) o.light_edge = o.patch_edge;
     if (o.buffer.minimum_edge == 0) o.buffer.minimum_edge = o.patch_edge / 16;
     if (o.gradient.minimum_edge == 0) o.gradient.minimum_edge = o.patch_edge / 8;
     for (const int samples : {o.samples, o.mixed_samples})

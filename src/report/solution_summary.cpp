@@ -29,6 +29,7 @@ Json options_json(const RadiosityOptions& o) {
     return {
         {"refine", name_of(o.refinement)},
         {"patch_edge", o.patch_edge},
+        {"light_edge", o.light_edge},
         {"buffer",
          {{"margin", to_text(o.buffer.margin)},
           {"height", to_text(o.buffer.height)},
