@@ -10,6 +10,19 @@ namespace cob {
 /// Most bytes of memory that the process has held at any time so far.
 std::uint64_t peak_memory();
 
+/// Most memory that the process held since this was made, beyond what it held then.
+class MemoryWatch {
+public:
+    MemoryWatch();
+    /// Of the resident set, whose high-water mark Linux lets a process reset; where it does not: what the heap holds
+    /// now beyond what it held then.
+    std::uint64_t peak() const;
+
+private:
+    bool resident_ = false;
+    std::uint64_t before_ = 0;
+};
+
 /// Seconds of processor time that all threads of the process have used so far, by the program itself.
 double processor_seconds();
 

@@ -1,11 +1,12 @@
-// cob study: error of exitance against time and elements.
+// cob study: error of exitance against time and elements, and the paper's claims.
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "golden/sha256.hpp"
+#include "report/claims_report.hpp"
 #include "report/study_report.hpp"
 
-#include <sys/utsname.h>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,72 +16,128 @@
 namespace cob::cli {
 namespace {
 
-std::string machine() {
-    utsname name{};
-    ::uname(&name);
-    return std::string(name.sysname) + " " + name.release + " " + name.machine + ", " +
-           std::to_string(std::thread::hardware_concurrency()) + " processors";
-}
-
 struct StudyCommand {
-    std::string scene, folder, commit;
-    bool skip_invalid = false;
-    std::size_t points = 2000;
-    int budgets = 5, repeats = 3, threads = 0;
-
-    /// Runs are kept by what they depend on: another scene, or other points, are other runs.
-    std::string kept() const {
-        Sha256 hash;
-        hash.update(read_file(scene));
-        return folder + "/runs/" + hash.finish().substr(0, 16) + "_" + std::to_string(points) + "points_" +
-               std::to_string(repeats) + "times_" + std::to_string(threads) + "threads";
-    }
+    std::string scene, folder, light = "direct", data = COB_DATA_FOLDER;
+    bool skip_invalid = false, claims = false, quick = false;
+    std::vector<std::string> only;
+    std::vector<double> within;
+    std::size_t points = 2000, unknowns = 400;
+    int budgets = 0, repeats = 3, threads = 0, shots = 60;
 
     void run() const {
+        if (claims != scene.empty())
+            throw InputError(claims ? "--claims takes no scene: it measures on those of --data" : "no scene is given",
+                             {"", 0, scene, claims ? "leave SCENE out" : "give an OBJ file, or --claims"});
+        create_folder(folder);
+        claims ? run_claims() : run_study();
+    }
+
+    int thread_count() const { return threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()); }
+
+    /// Runs are kept by what they depend on: another scene, reference or commit are other runs.
+    std::string kept(const BenchMachine& machine) const {
+        Sha256 hash;
+        hash.update(read_file(scene));
+        for (const std::string& word : {light, std::to_string(points), std::to_string(unknowns),
+                                        std::to_string(repeats), std::to_string(threads), machine.commit})
+            hash.update(word + "\n");
+        for (const double bound : within) hash.update(to_text(bound) + "\n");
+        return folder + "/runs/" + hash.finish().substr(0, 16);
+    }
+
+    void run_study() const {
         const Scene read_scene = read_obj(scene, ReadOptions{skip_invalid, false});
-        const std::string name = std::filesystem::path(scene).stem().string();
-        const std::string runs = kept();
+        report::StudyResults results;
+        results.scene = std::filesystem::path(scene).stem().string();
+        results.machine = bench_machine();
+        results.threads = thread_count();
+        const std::string runs = kept(results.machine);
         create_folder(runs);
 
-        report::StudyResults results;
-        results.scene = name;
-        results.machine = machine();
-        results.commit = commit;
-        results.reference = study_reference(read_scene, points, terminal_progress("exact irradiance"));
-
-        const std::vector<StudySettings> plan = study_plan(read_scene, budgets);
+        const bool full = light == "full";
+        StudyRegion region;
+        if (!within.empty()) {
+            region.bounds.emplace();
+            std::copy(within.begin(), within.end(), region.bounds->begin());
+        }
+        const Progress reference = terminal_progress("reference");
+        results.reference = full ? study_transport_reference(read_scene, points, unknowns, threads, reference, region)
+                                 : study_reference(read_scene, points, reference, region);
+        const std::vector<StudySettings> plan = study_plan(read_scene, results.reference.light,
+                                                           budgets > 0 ? budgets
+                                                           : full      ? 3
+                                                                       : 5);
         const Progress progress = terminal_progress("runs");
+        const Progress alive = [&](std::uint64_t, std::uint64_t) { progress(results.runs.size(), plan.size()); };
         for (const StudySettings& settings : plan) {
-            progress(results.runs.size(), plan.size());
             const std::string file = runs + "/" + settings.key() + ".csv";
             std::optional<StudyRun> run;
             if (std::filesystem::exists(file)) run = study_run_from_line(read_file(file), settings);
             if (!run) {
-                run = study_run(read_scene, results.reference, settings, repeats, threads);
+                run = study_run(read_scene, results.reference, settings, repeats, threads, alive);
                 write_file(file, to_line(*run));
             }
             results.runs.push_back(*run);
+            alive(0, 0);
+        }
+        if (shots > 0) {
+            const std::optional<std::string> view = report::view_beside(scene);
+            results.pictures =
+                report::draw_study(read_scene, view ? report::read_view(*view) : report::default_camera(read_scene),
+                                   results.runs.back().settings, shots, threads, folder, alive);
         }
         report::write_study(results, folder);
         std::fputs(report::study_text(results).c_str(), stdout);
+    }
+
+    void run_claims() const {
+        ClaimOptions options;
+        options.data = data;
+        options.folder = folder;
+        options.quick = quick;
+        options.threads = threads;
+        options.progress = terminal_progress("claims: case");
+        const std::vector<ClaimResult> results = measure_claims(only, options);
+        report::write_claims(results, {bench_machine(), thread_count(), quick}, folder);
+        std::fputs(report::claims_text(results).c_str(), stdout);
     }
 };
 
 }  // namespace
 
 void add_study(CLI::App& app) {
-    auto& command = *app.add_subcommand(
-        "study", "Error of direct light against time and elements: uniform, gradient, buffer and both, over budgets");
+    auto& command = *app.add_subcommand("study",
+                                        "Error against time and elements: uniform, gradient, buffer and both, over "
+                                        "budgets; or, with --claims, the paper's claims, measured");
+    command.option_defaults()->always_capture_default();
     const auto options = std::make_shared<StudyCommand>();
-    command.add_option("SCENE", options->scene, "OBJ file")->required();
+    command.add_option("SCENE", options->scene, "OBJ file; a .view file beside it is the camera");
     command.add_flag("--skip-invalid", options->skip_invalid, "Leave polygons out that SPEC 2 refuses");
+    command.add_option("--light", options->light, "direct: from the lights alone; full: reflected any number of times")
+        ->check(CLI::IsMember({"direct", "full"}));
     command.add_option("--points", options->points, "Points of the reference")->check(CLI::Range(1, 1000000));
-    command.add_option("--budgets", options->budgets, "How often the smallest edge halves")->check(CLI::Range(1, 10));
+    command.add_option("--unknowns", options->unknowns, "Patches of the reference of full transport, at least")
+        ->check(CLI::Range(1, 20000));
+    command
+        .add_option("--within", options->within,
+                    "XMIN YMIN ZMIN XMAX YMAX ZMAX: points of the reference in this box only")
+        ->expected(6);
+    command
+        .add_option("--budgets", options->budgets,
+                    "How many uniform meshes, each with half the edge of the one before; 0: 5, of full light 3")
+        ->check(CLI::Range(0, 10));
     command.add_option("--repeats", options->repeats, "Runs of each setting, for the times")
         ->check(CLI::Range(1, 1000));
-    command.add_option("--commit", options->commit, "What the page says about the version of the program");
+    command.add_option("--picture-shots", options->shots, "Shots of the pictures; 0: no pictures")
+        ->check(CLI::NonNegativeNumber);
     command.add_option("--threads", options->threads, "0: all")->check(CLI::NonNegativeNumber);
-    command.add_option("-o,--output", options->folder, "Folder for study.html, study.csv, plots and the kept runs")
+    command.add_flag("--claims", options->claims, "The paper's claims instead: what was measured, and the verdict");
+    command.add_option("--only", options->only, "Of the claims only these")->check(CLI::IsMember(claim_ids()));
+    command.add_option("--data", options->data, "Folder of the shipped scenes, for --claims");
+    command.add_flag("--quick", options->quick, "Claims on the smallest scenes and meshes, in seconds");
+    command
+        .add_option("-o,--output", options->folder,
+                    "Folder for study.html, study.csv, bar.csv, plots and the kept runs; or claims.html, claims.csv")
         ->required();
     command.callback([options] { options->run(); });
 }

@@ -4,6 +4,7 @@
 #include "geometry/filter_kernel.hpp"
 #include "geometry/integer_stage.hpp"
 #include "geometry/prepared_box.hpp"
+#include "geometry/relation_alone.hpp"
 #include "geometry/separating_axes.hpp"
 #include "geometry/study.hpp"
 
@@ -225,30 +226,38 @@ int strength(Relation relation) {
     return static_cast<int>(relation);
 }
 
-}  // namespace
-
-BoxAnswer relate(const Scene& scene, PolygonId polygon, const Box& box, PredicateCounters* counters) {
-    PredicateCounters ignored;
-    PredicateCounters& count = counters != nullptr ? *counters : ignored;
-    const Box::Prepared& prepared = box.prepared();
+BoxAnswer relate(const Scene& scene, PolygonId polygon, const Box::Prepared& prepared, bool asks_cover,
+                 PredicateCounters& count) {
     const View<Piece> pieces = scene.pieces_of(polygon);
 
     BoxAnswer answer;
     if (pieces.size() == 1) {
         PieceQuery query(scene, pieces.front(), prepared);
         answer.relation = query.relation(count);
-        if (is_close(answer.relation)) answer.covers = query.covers(count);
+        if (asks_cover && is_close(answer.relation)) answer.covers = query.covers(count);
     } else {
         for (const Piece& piece : pieces) {
             const Relation relation = PieceQuery(scene, piece, prepared).relation(count);
             if (strength(relation) > strength(answer.relation)) answer.relation = relation;
             if (relation == Relation::crossing) break;
         }
-        if (is_close(answer.relation)) answer.covers = many_cover(scene, polygon, prepared, count);
+        if (asks_cover && is_close(answer.relation)) answer.covers = many_cover(scene, polygon, prepared, count);
     }
     if (answer.relation == Relation::base && in_base_plane(scene, polygon, prepared))
         answer.relation = Relation::coplanar;
     return answer;
+}
+
+}  // namespace
+
+BoxAnswer relate(const Scene& scene, PolygonId polygon, const Box& box, PredicateCounters* counters) {
+    PredicateCounters ignored;
+    return relate(scene, polygon, box.prepared(), true, counters != nullptr ? *counters : ignored);
+}
+
+Relation relation_alone(const Scene& scene, PolygonId polygon, const Box& box) {
+    PredicateCounters ignored;
+    return relate(scene, polygon, box.prepared(), false, ignored).relation;
 }
 
 const char* to_text(Relation relation) {

@@ -2,8 +2,9 @@
 #include "cob/census.hpp"
 #include "cob/error.hpp"
 #include "cob/irradiance.hpp"
-#include "cob/study.hpp"
+#include "report/study_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -44,66 +45,102 @@ std::array<double, 2> spread(std::size_t k) {
     return {n * first - std::floor(n * first), n * second - std::floor(n * second)};
 }
 
+Point rounded_point(const Scene& scene, const Root& root, const std::array<double, 2>& coordinates) {
+    const std::vector<Point> p = outline(scene, root);
+    const auto [s, t] = coordinates;
+    if (p.size() == 3) return p[0] + s * (p[1] - p[0]) + t * (p[2] - p[0]);
+    return (1 - t) * ((1 - s) * p[0] + s * p[1]) + t * ((1 - s) * p[3] + s * p[2]);
+}
+
+bool is_within(const std::array<double, 6>& bounds, const Point& point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = point[static_cast<int>(axis)];
+        if (x < bounds[axis] || x > bounds[axis + 3]) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-StudyReference study_reference(const Scene& scene, std::size_t points, const Progress& progress) {
-    const Roots roots(scene);
-    const auto candidates = make_candidates(scene, Source::cgal);
-    const IrradianceOracle oracle(scene, *candidates);
-    if (oracle.lights().empty()) throw InputError("no polygon emits: there is nothing to study");
+StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t points, const StudyRegion& region) {
     StudyReference reference;
 
     // 1. The roots that receive, and the areas.
     const std::set<PolygonId> left_out = overlapped(scene);
-    std::vector<RootId> receivers;
+    const std::set<PolygonId> wanted_polygons(region.polygons.begin(), region.polygons.end());
+    std::vector<RootId> chosen;
     double receiving = 0, all = 0;
+    bool lit = false;
     for (const Root& root : roots.all()) {
         const Material& material = scene.material(root.polygon);
         const double a = area(scene, root);
         all += a;
         for (const double e : material.emitted_exitance) reference.light_exitance += a * e;
+        lit = lit || material.emits();
         const bool reflects = material.reflectance[0] + material.reflectance[1] + material.reflectance[2] > 0;
         if (!reflects || material.emits() || left_out.count(root.polygon) > 0) continue;
-        receivers.push_back(root.id);
+        if (!wanted_polygons.empty() && wanted_polygons.count(root.polygon) == 0) continue;
+        chosen.push_back(root.id);
         receiving += a;
     }
-    if (receivers.empty()) throw InputError("no polygon receives: none reflects and lies free in its plane");
+    if (!lit) throw InputError("no polygon emits: there is nothing to study");
+    if (chosen.empty()) throw InputError("no polygon receives: none reflects and lies free in its plane");
     reference.light_exitance /= all;
     reference.receiver_share = receiving / all;
 
     // 2. Points by area: root by root, as many as its share of the area so far asks for.
     double so_far = 0;
-    for (const RootId id : receivers) {
+    for (const RootId id : chosen) {
         const Root& root = roots[id];
         so_far += area(scene, root);
         const auto wanted = static_cast<std::size_t>(std::llround(static_cast<double>(points) * so_far / receiving));
-        while (reference.points.size() < wanted) {
+        // Draws that fall outside the region's bounds are lost; so many of them that there is nothing to find.
+        const std::size_t most_draws = region.bounds ? 10000000 : 0;
+        for (std::size_t draw = reference.points.size(), lost = 0; reference.points.size() < wanted; ++draw) {
             StudyPoint point;
             point.root = id;
-            point.coordinates = spread(reference.points.size());
+            point.coordinates = spread(draw);
             auto& [s, t] = point.coordinates;
             if (root.corner_count() == 3 && s + t > 1) {
                 s = 1 - s;
                 t = 1 - t;
             }
-            reference.points.push_back(point);
+            if (!region.bounds || is_within(*region.bounds, rounded_point(scene, root, point.coordinates)))
+                reference.points.push_back(point);
+            else if (++lost > most_draws)
+                break;
         }
     }
+    return reference;
+}
 
-    // 3. Exact direct light.
+Scene dimmed(const Scene& scene) {
+    Scene::Input input = input_of(scene);
+    for (Material& material : input.materials)
+        for (double& reflectance : material.reflectance) reflectance *= dimming;
+    return Scene::build(std::move(input), Scene::Options{true});
+}
+
+PointOnRoot point_on_root(const Scene& scene, const Root& root, const std::array<double, 2>& coordinates) {
+    const std::vector<Point> p = outline(scene, root);
+    return {point_in(scene, root, root_element(root.id), coordinates[0], coordinates[1]),
+            cross(to_rational(p[1]) - to_rational(p[0]), to_rational(p[2]) - to_rational(p[0]))};
+}
+
+StudyReference study_reference(const Scene& scene, std::size_t points, const Progress& progress,
+                               const StudyRegion& region) {
+    const Roots roots(scene);
+    const auto candidates = make_candidates(scene, Source::cgal);
+    const IrradianceOracle oracle(scene, *candidates);
+    StudyReference reference = study_points(scene, roots, points, region);
     std::size_t done = 0;
     for (StudyPoint& point : reference.points) {
-        if (progress && done % 16 == 0) progress(done, reference.points.size());
-        ++done;
+        if (progress) progress(done++, reference.points.size());
         const Root& root = roots[point.root];
-        const std::vector<Point> p = outline(scene, root);
-        const RationalPoint normal =
-            cross(to_rational(p[1]) - to_rational(p[0]), to_rational(p[2]) - to_rational(p[0]));
-        const ExactPoint x =
-            point_in(scene, root, root_element(point.root), point.coordinates[0], point.coordinates[1]);
+        const PointOnRoot x = point_on_root(scene, root, point.coordinates);
         const Material& material = scene.material(root.polygon);
         for (const PolygonId light : oracle.lights()) {
-            const LightAtPoint seen = oracle(x, normal, light);
+            const LightAtPoint seen = oracle(x.position, x.normal, light);
             point.in_band = point.in_band || (seen.visible > 0 && seen.visible < seen.unobstructed * (1 - 1e-9));
             for (std::size_t c = 0; c < 3; ++c) {
                 const double irradiance = seen.visible * scene.material(light).emitted_exitance[c];

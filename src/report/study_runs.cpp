@@ -1,41 +1,16 @@
 // The runs of a study.
 #include "arithmetic/process.hpp"
-#include "cob/census.hpp"
 #include "cob/study.hpp"
+#include "radiosity/mesh.hpp"
+#include "report/study_points.hpp"
 
-#include <malloc.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 #include <sstream>
 
 namespace cob {
 namespace {
-
-/// So little is reflected that what is reflected twice is below a millionth.
-constexpr double dimming = 1.0 / (1 << 20);
-
-Scene dimmed(const Scene& scene) {
-    Scene::Input input;
-    input.name = scene.name();
-    input.positions = scene.positions();
-    input.materials = scene.materials();
-    for (Material& material : input.materials)
-        for (double& reflectance : material.reflectance) reflectance *= dimming;
-    for (PolygonId id = 0; id < scene.polygon_count(); ++id) {
-        Scene::Face face;
-        face.material = scene.polygon(id).material;
-        face.line = scene.polygon(id).line;
-        for (const VertexId vertex : scene.loop(id)) face.corners.push_back(vertex);
-        input.faces.push_back(std::move(face));
-    }
-    return Scene::build(std::move(input), Scene::Options{true});
-}
-
-std::uint64_t heap_in_use() {
-    const struct mallinfo2 info = ::mallinfo2();
-    return info.uordblks + info.hblkhd;
-}
 
 /// Sums of differences between the solution and the reference.
 class ErrorSum {
@@ -49,9 +24,10 @@ public:
         squares_ += reference * reference;
         ++count_;
     }
-    StudyErrors errors() const {
-        if (!(sum_ > 0)) return {};
-        return {l1_ / sum_, std::sqrt(l2_ / squares_), most_ * static_cast<double>(count_) / sum_};
+    /// Nothing where the reference is dark, or has no point.
+    std::optional<StudyErrors> errors() const {
+        if (!(sum_ > 0)) return std::nullopt;
+        return StudyErrors{l1_ / sum_, std::sqrt(l2_ / squares_), most_ * static_cast<double>(count_) / sum_};
     }
 
 private:
@@ -59,22 +35,69 @@ private:
     std::size_t count_ = 0;
 };
 
+/// The squared error by place; shares of the whole.
+class ShareSum {
+public:
+    void add(bool in_band, bool fine, double squared_error) {
+        double& share = in_band ? (fine ? shares_.band_fine : shares_.band_coarse)
+                                : (fine ? shares_.smooth_fine : shares_.smooth_coarse);
+        share += squared_error;
+        whole_ += squared_error;
+    }
+    StudyShares shares() const {
+        if (!(whole_ > 0)) return {};
+        return {shares_.band_fine / whole_, shares_.band_coarse / whole_, shares_.smooth_fine / whole_,
+                shares_.smooth_coarse / whole_};
+    }
+
+private:
+    StudyShares shares_;
+    double whole_ = 0;
+};
+
 RadiosityOptions options_of(const StudySettings& settings, const StudyReference& reference, int threads) {
     RadiosityOptions options;
     options.refinement = settings.refinement;
     options.patch_edge = settings.patch_edge;
+    options.light_edge = settings.light_edge;
     options.buffer.margin = settings.margin;
     options.buffer.height = settings.height;
     options.buffer.minimum_edge = settings.minimum_edge;
     options.gradient.minimum_edge = settings.minimum_edge;
-    // The floor of gradients is a share of the mean exitance with the lights; here the lights would be nearly all of
-    // it, so that the share is set to mean what it means for the exitance that is studied.
-    const double reflected = dimming * reference.mean_exitance * reference.receiver_share;
-    options.gradient.floor *= reflected / (reflected + reference.light_exitance);
-    options.stop.shots = 1000000;
-    options.stop.unshot = 4 * dimming;  // every light has shot, and nothing else
+    options.gradient.threshold.fill(settings.threshold);
+    options.stop.shots = std::numeric_limits<std::int64_t>::max();
     options.threads = threads;
+    if (reference.light == StudyLight::direct) {
+        // The floor of gradients is a share of the mean exitance with the lights; here the lights would be nearly all
+        // of it, so that the share is set to mean what it means for the exitance that is studied.
+        const double reflected = dimming * reference.mean_exitance * reference.receiver_share;
+        options.gradient.floor *= reflected / (reflected + reference.light_exitance);
+        options.stop.unshot = 4 * dimming;  // every light has shot, and nothing else
+    } else {
+        options.stop.unshot = 2e-4;
+    }
     return options;
+}
+
+/// Compares the solution with the reference, point by point.
+void measure_errors(const RadiositySolver& solver, const StudyReference& reference, StudyRun& run) {
+    const ExitanceField field(solver);
+    const radiosity::Mesh& mesh = solver.mesh();
+    const double scale = reference.light == StudyLight::direct ? 1 / dimming : 1;
+    const double fine_edge = std::scalbn(2 * run.settings.minimum_edge, -mesh.exponent());
+    ErrorSum all, band;
+    ShareSum shares;
+    for (const StudyPoint& point : reference.points) {
+        const auto [u, v] = point.coordinates;
+        const Rgb exitance = field.at(point.root, u, v);
+        const double value = scale * (exitance[0] + exitance[1] + exitance[2]), error = value - point.exitance;
+        all.add(value, point.exitance);
+        if (point.in_band) band.add(value, point.exitance);
+        shares.add(point.in_band, mesh.longest_side(mesh.leaf_at(point.root, u, v)) <= fine_edge, error * error);
+    }
+    run.all = all.errors().value_or(StudyErrors{});
+    run.band = band.errors();
+    run.shares = shares.shares();
 }
 
 }  // namespace
@@ -94,79 +117,37 @@ const char* to_text(Refinement refinement) {
 }
 
 std::string StudySettings::key() const {
-    std::string text = series + "_" + to_text(refinement) + "_patch" + to_text(patch_edge) + "_least" +
-                       to_text(minimum_edge) + "_margin" + to_text(margin) + "_height" + to_text(height);
+    std::string text = series + "_" + to_text(refinement) + "_patch" + to_text(patch_edge) + "_light" +
+                       to_text(light_edge) + "_least" + to_text(minimum_edge) + "_threshold" + to_text(threshold) +
+                       "_margin" + to_text(margin) + "_height" + to_text(height);
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '/' || c == ' ' || c == ','; }, '-');
     return text;
 }
 
-std::vector<StudySettings> study_plan(const Scene& scene, int budgets) {
-    const Census census = take_census(scene);
-    const Point size = census.highest - census.lowest;
-    const double patch = std::max({size.x, size.y, size.z}) / 12;
-    std::vector<StudySettings> plan;
-    const auto add = [&](const char* series, Refinement refinement, double edge, double least) -> StudySettings& {
-        StudySettings settings;
-        settings.series = series;
-        settings.refinement = refinement;
-        settings.patch_edge = edge;
-        settings.minimum_edge = least;
-        plan.push_back(settings);
-        return plan.back();
-    };
-    // Budgets: the smallest edge halves.
-    for (int b = 0; b < budgets; ++b) {
-        const double least = std::ldexp(patch, -b);
-        add("budget", Refinement::none, least, least);
-        if (b == 0) continue;
-        for (const Refinement refinement : {Refinement::gradient, Refinement::buffer, Refinement::both})
-            add("budget", refinement, patch, least);
-    }
-    // The rest, in the middle of them.
-    const double least = std::ldexp(patch, -std::max(1, budgets / 2));
-    for (const double edge : {2 * patch, patch, patch / 2})
-        for (const Refinement refinement : {Refinement::gradient, Refinement::buffer, Refinement::both})
-            add("initial mesh", refinement, edge, least);
-    for (const int divisor : {16, 8, 4, 2, 1})
-        add("height", Refinement::buffer, patch, least).height = Rational(1, divisor);
-    for (const Rational& margin : {Rational(0), Rational(1, 8), Rational(1, 2), Rational(1)})
-        add("margin", Refinement::buffer, patch, least).margin = margin;
-    return plan;
-}
-
 StudyRun study_run(const Scene& scene, const StudyReference& reference, const StudySettings& settings, int repeats,
-                   int threads) {
-    const Scene dim = dimmed(scene);
+                   int threads, const Progress& alive) {
+    const bool direct = reference.light == StudyLight::direct;
+    const std::optional<Scene> dim = direct ? std::optional(dimmed(scene)) : std::nullopt;
     StudyRun run;
     run.settings = settings;
     std::vector<double> seconds;
     for (int repeat = 0; repeat < std::max(1, repeats); ++repeat) {
-        const std::uint64_t before = heap_in_use();
+        MemoryWatch memory;
         Stopwatch watch;
-        RadiositySolver solver(dim, options_of(settings, reference, threads));
-        while (solver.step()) {
-        }
+        RadiositySolver solver(direct ? *dim : scene, options_of(settings, reference, threads));
+        while (solver.step())
+            if (alive) alive(static_cast<std::uint64_t>(solver.counters().shots), 0);
         seconds.push_back(watch.lap());
         if (repeat > 0) continue;  // the same every time
 
-        const std::uint64_t after = heap_in_use();
-        run.bytes = after > before ? after - before : 0;
+        run.peak_bytes = memory.peak();
         run.elements = static_cast<std::int64_t>(solver.element_count());
         run.shots = solver.counters().shots;
         run.segments = solver.counters().segments;
         run.form_factors = solver.counters().form_factors;
         run.buffers = static_cast<std::int64_t>(solver.buffer_count());
-        const ExitanceField field(solver);
-        ErrorSum all, band;
-        for (const StudyPoint& point : reference.points) {
-            const Rgb exitance = field.at(point.root, point.coordinates[0], point.coordinates[1]);
-            const double value = (exitance[0] + exitance[1] + exitance[2]) / dimming;
-            all.add(value, point.exitance);
-            if (point.in_band) band.add(value, point.exitance);
-        }
-        run.all = all.errors();
-        run.band = band.errors();
+        measure_errors(solver, reference, run);
     }
     std::sort(seconds.begin(), seconds.end());
     run.seconds_least = seconds.front();
@@ -176,50 +157,52 @@ StudyRun study_run(const Scene& scene, const StudyReference& reference, const St
 
 std::string to_line(const StudyRun& run) {
     const StudySettings& s = run.settings;
-    std::string line = s.series + "," + to_text(s.refinement) + "," + to_text(s.patch_edge) + "," +
-                       to_text(s.minimum_edge) + "," + to_text(s.margin) + "," + to_text(s.height);
-    for (const std::int64_t count :
-         {run.elements, run.shots, run.segments, run.form_factors, run.buffers, static_cast<std::int64_t>(run.bytes)})
+    std::string line = s.series + "," + to_text(s.refinement);
+    for (const double value : {s.patch_edge, s.light_edge, s.minimum_edge, s.threshold}) line += "," + to_text(value);
+    line += "," + to_text(s.margin) + "," + to_text(s.height);
+    for (const std::int64_t count : {run.elements, run.shots, run.segments, run.form_factors, run.buffers,
+                                     static_cast<std::int64_t>(run.peak_bytes)})
         line += "," + std::to_string(count);
-    for (const double value : {run.seconds_least, run.seconds_median, run.all.l1, run.all.l2, run.all.most, run.band.l1,
-                               run.band.l2, run.band.most})
+    for (const double value :
+         {run.seconds_least, run.seconds_median, run.all.l1, run.all.l2, run.all.most, run.shares.band_fine,
+          run.shares.band_coarse, run.shares.smooth_fine, run.shares.smooth_coarse})
         line += "," + to_text(value);
+    if (!run.band) return line + ",,,";
+    for (const double value : {run.band->l1, run.band->l2, run.band->most}) line += "," + to_text(value);
     return line;
 }
 
 std::optional<StudyRun> study_run_from_line(const std::string& line, const StudySettings& settings) {
     StudyRun run;
     run.settings = settings;
-    // The settings must be these, to the letter; what follows are numbers.
+    // The settings must be these, to the letter; what follows are numbers, the last three of them or none.
     const std::string whole = to_line(run);
     std::size_t end = 0;
-    for (int comma = 0; comma < 6; ++comma) end = whole.find(',', end) + 1;
+    for (int comma = 0; comma < 8; ++comma) end = whole.find(',', end) + 1;
     if (line.compare(0, end, whole, 0, end) != 0) return std::nullopt;
-    std::istringstream rest(line.substr(end));
+    std::string rest = line.substr(end);
+    const std::string no_band = ",,,";
+    const bool banded =
+        rest.size() < no_band.size() || rest.compare(rest.size() - no_band.size(), no_band.size(), no_band) != 0;
+    if (!banded) rest.resize(rest.size() - no_band.size());
     std::vector<double> values;
-    for (std::string cell; std::getline(rest, cell, ',');) {
+    std::istringstream cells(rest);
+    for (std::string cell; std::getline(cells, cell, ',');) {
         const std::optional<double> value = parse_binary64(cell);
         if (!value) return std::nullopt;
         values.push_back(*value);
     }
-    if (values.size() != 14) return std::nullopt;
+    if (values.size() != (banded ? 18 : 15)) return std::nullopt;
     std::size_t next = 0;
     for (std::int64_t* count : {&run.elements, &run.shots, &run.segments, &run.form_factors, &run.buffers})
         *count = static_cast<std::int64_t>(values[next++]);
-    run.bytes = static_cast<std::uint64_t>(values[next++]);
-    for (double* value : {&run.seconds_least, &run.seconds_median, &run.all.l1, &run.all.l2, &run.all.most,
-                          &run.band.l1, &run.band.l2, &run.band.most})
+    run.peak_bytes = static_cast<std::uint64_t>(values[next++]);
+    for (double* value :
+         {&run.seconds_least, &run.seconds_median, &run.all.l1, &run.all.l2, &run.all.most, &run.shares.band_fine,
+          &run.shares.band_coarse, &run.shares.smooth_fine, &run.shares.smooth_coarse})
         *value = values[next++];
+    if (banded) run.band = StudyErrors{values[next], values[next + 1], values[next + 2]};
     return run;
-}
-
-std::vector<bool> pareto_front(const std::vector<std::array<double, 2>>& time_and_error) {
-    std::vector<bool> front;
-    for (const auto& a : time_and_error)
-        front.push_back(std::none_of(time_and_error.begin(), time_and_error.end(), [&](const auto& b) {
-            return b[0] <= a[0] && b[1] <= a[1] && (b[0] < a[0] || b[1] < a[1]);
-        }));
-    return front;
 }
 
 }  // namespace cob
