@@ -30,7 +30,9 @@ struct StudyPoint {
     std::array<double, 2> coordinates{};  ///< Of the root, bilinear or barycentric.
     double irradiance = 0;                ///< Exact direct light, W/m2, summed over channels.
     double exitance = 0;                  ///< The reference, W/m2, summed over channels.
-    bool in_band = false;  ///< In a penumbra: some but not all of a light is seen, however little or much.
+    /// In the band around shadow boundaries: in a penumbra, or within band_width of where more or less of a light is
+    /// seen. A penumbra is found exactly; what is seen nearby, by samples.
+    bool in_band = false;
 };
 
 /// Fixed points, spread evenly by area over all polygons that reflect, emit nothing and lie under no sheet in their own
@@ -40,6 +42,7 @@ struct StudyReference {
     std::vector<StudyPoint> points;
     double receiver_share = 0;  ///< Area of these polygons over that of all.
     double mean_exitance = 0;   ///< Over the points.
+    double band_width = 0;      ///< A 48th of the scene's longest extent.
     double light_exitance = 0;  ///< Emitted, W/m2 over the area of all polygons, summed over channels.
     // Of full transport:
     std::size_t unknowns = 0;  ///< Patches of the finer of its two meshes.
@@ -84,7 +87,7 @@ struct StudyErrors {
     double most = 0;        ///< Largest difference over the mean of the reference.
 };
 
-/// Where the squared error is: in penumbras or not, on elements refined to (twice) the smallest edge or on larger ones.
+/// Where the squared error is: in the band or not, on elements refined to (twice) the smallest edge or on larger ones.
 /// Shares of the whole.
 struct StudyShares {
     double band_fine = 0, band_coarse = 0, smooth_fine = 0, smooth_coarse = 0;
@@ -96,7 +99,7 @@ struct StudyRun {
     double seconds_least = 0, seconds_median = 0;
     std::uint64_t peak_bytes = 0;  ///< Most memory at any time of the first run, beyond what was held before it.
     StudyErrors all;
-    std::optional<StudyErrors> band;  ///< Nothing where no point lies in a penumbra, or no light falls there.
+    std::optional<StudyErrors> band;  ///< Nothing where no point lies in the band, or no light falls there.
     StudyShares shares;               ///< Of `all`.
 };
 /// Solves the scene so many times. `alive` is told the shots after each one and may throw to end the run.

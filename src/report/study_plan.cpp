@@ -72,14 +72,15 @@ std::string reason_of(const StudyBar& bar, const StudyReference& reference) {
                       100 * (bar.in_band ? run.band.value_or(StudyErrors{}).l2 : run.all.l2), 100 * bar.target);
         reason += text;
     }
-    std::snprintf(text, sizeof text,
-                  "of uniform's squared error %.0f %% lies in penumbras, where %zu of %zu points are; of this run's "
-                  "%.0f %% in penumbras on finest elements (only smaller ones help), %.0f %% in penumbras on larger "
-                  "ones (cast from further than the boxes reach), %.0f %% in smooth light (not what the buffer "
-                  "looks for)",
-                  100 * (bar.uniform.shares.band_fine + bar.uniform.shares.band_coarse), in_band,
-                  reference.points.size(), 100 * run.shares.band_fine, 100 * run.shares.band_coarse,
-                  100 * (run.shares.smooth_fine + run.shares.smooth_coarse));
+    std::snprintf(
+        text, sizeof text,
+        "of uniform's squared error %.0f %% lies in the band around shadow boundaries, where %zu of %zu points "
+        "are; of this run's %.0f %% there on finest elements (only smaller ones help), %.0f %% there on larger "
+        "ones (shadows cast from further than the boxes reach), %.0f %% in smooth light (not what the buffer "
+        "looks for)",
+        100 * (bar.uniform.shares.band_fine + bar.uniform.shares.band_coarse), in_band, reference.points.size(),
+        100 * run.shares.band_fine, 100 * run.shares.band_coarse,
+        100 * (run.shares.smooth_fine + run.shares.smooth_coarse));
     return reason + text;
 }
 

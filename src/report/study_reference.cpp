@@ -2,6 +2,7 @@
 #include "cob/census.hpp"
 #include "cob/error.hpp"
 #include "cob/irradiance.hpp"
+#include "cob/visibility.hpp"
 #include "report/study_points.hpp"
 
 #include <algorithm>
@@ -60,6 +61,50 @@ bool is_within(const std::array<double, 6>& bounds, const Point& point) {
     return true;
 }
 
+/// How much of a light segments to samples of it see from a point.
+enum class Seen { none, some, all };
+
+/// Looks for shadow boundaries near a point, light by light.
+class BandFinder {
+public:
+    BandFinder(const Scene& scene, const Roots& roots, const CandidateSource& candidates)
+        : scene_(scene), roots_(roots), oracle_(scene, candidates) {}
+
+    /// Some point within the width, along the sides of the root, sees another share of the light.
+    bool near_boundary(const StudyPoint& point, PolygonId light, double width) const {
+        const Root& root = roots_[point.root];
+        const std::vector<Point> p = outline(scene_, root);
+        const double along_s = width / length(p[1] - p[0]), along_t = width / length(p.back() - p[0]);
+        const Seen here = seen(root, point.coordinates, light);
+        for (const std::array<double, 2>& step :
+             {std::array{along_s, 0.0}, {-along_s, 0.0}, {0.0, along_t}, {0.0, -along_t}}) {
+            const double s = point.coordinates[0] + step[0], t = point.coordinates[1] + step[1];
+            const bool inside = s > 0 && t > 0 && (p.size() == 3 ? s + t < 1 : s < 1 && t < 1);
+            if (inside && seen(root, {s, t}, light) != here) return true;
+        }
+        return false;
+    }
+
+private:
+    Seen seen(const Root& root, const std::array<double, 2>& coordinates, PolygonId light) const {
+        const ExactPoint from = point_in(scene_, root, root_element(root.id), coordinates[0], coordinates[1]);
+        int clear = 0, all = 0;
+        const auto [first, last] = roots_.of(light);
+        for (RootId part = first; part < last; ++part)
+            for (const std::array<double, 2>& at :
+                 {std::array{0.3125, 0.3125}, {0.03125, 0.03125}, {0.9375, 0.03125}, {0.03125, 0.9375}}) {
+                const ExactPoint to = point_in(scene_, roots_[part], root_element(part), at[0], at[1]);
+                ++all;
+                clear += oracle_({from, to, root.piece, roots_[part].piece}) == Visibility::clear ? 1 : 0;
+            }
+        return clear == 0 ? Seen::none : clear == all ? Seen::all : Seen::some;
+    }
+
+    const Scene& scene_;
+    const Roots& roots_;
+    VisibilityOracle oracle_;
+};
+
 }  // namespace
 
 StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t points, const StudyRegion& region) {
@@ -68,6 +113,14 @@ StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t 
     // 1. The roots that receive, and the areas.
     const std::set<PolygonId> left_out = overlapped(scene);
     const std::set<PolygonId> wanted_polygons(region.polygons.begin(), region.polygons.end());
+    Point low = scene.positions().front(), high = low;
+    for (const Point& p : scene.positions())
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    for (int axis = 0; axis < 3; ++axis)
+        reference.band_width = std::max(reference.band_width, (high[axis] - low[axis]) / 48);
     std::vector<RootId> chosen;
     double receiving = 0, all = 0;
     bool lit = false;
@@ -132,6 +185,7 @@ StudyReference study_reference(const Scene& scene, std::size_t points, const Pro
     const Roots roots(scene);
     const auto candidates = make_candidates(scene, Source::cgal);
     const IrradianceOracle oracle(scene, *candidates);
+    const BandFinder band(scene, roots, *candidates);
     StudyReference reference = study_points(scene, roots, points, region);
     std::size_t done = 0;
     for (StudyPoint& point : reference.points) {
@@ -141,7 +195,9 @@ StudyReference study_reference(const Scene& scene, std::size_t points, const Pro
         const Material& material = scene.material(root.polygon);
         for (const PolygonId light : oracle.lights()) {
             const LightAtPoint seen = oracle(x.position, x.normal, light);
-            point.in_band = point.in_band || (seen.visible > 0 && seen.visible < seen.unobstructed * (1 - 1e-9));
+            if (seen.unobstructed > 0)
+                point.in_band = point.in_band || (seen.visible > 0 && seen.visible < seen.unobstructed * (1 - 1e-9)) ||
+                                band.near_boundary(point, light, reference.band_width);
             for (std::size_t c = 0; c < 3; ++c) {
                 const double irradiance = seen.visible * scene.material(light).emitted_exitance[c];
                 point.irradiance += irradiance;

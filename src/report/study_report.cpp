@@ -141,8 +141,8 @@ std::string about(const StudyResults& results) {
     else
         text += "the exact irradiance there; ";
     return text + std::to_string(points_in_band(reference)) +
-           " of them lie in the band around shadow boundaries: in a penumbra, where some of a light is seen, but not "
-           "all of it.";
+           " of them lie in the band around shadow boundaries: in a penumbra, or within " +
+           number("%.3g", results.reference.band_width) + " of where another share of a light is seen.";
 }
 
 constexpr std::array<const char*, 5> series_names{"budget", "threshold", "initial mesh", "height", "margin"};

@@ -35,7 +35,9 @@ TEST(Study, PointsLieOnWhatReceivesAndSomeInThePenumbra) {
     }
     EXPECT_GT(band, 0u);
     EXPECT_GT(dark, 0u);
-    EXPECT_LT(band + dark, 200u);
+    EXPECT_LT(band, 150u);
+    EXPECT_LT(dark, 100u);
+    EXPECT_DOUBLE_EQ(reference.band_width, 8.0 / 48);
     EXPECT_DOUBLE_EQ(reference.receiver_share, 68.0 / 72);
 }
 
