@@ -1,4 +1,5 @@
 #include "arithmetic/orientation.hpp"
+#include "arithmetic/wide_integer.hpp"
 #include "geometry/prepared_box.hpp"
 
 #include <algorithm>
@@ -129,6 +130,7 @@ Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
         shortest = std::min(shortest, frame.high[axis] - frame.low[axis]);
     }
     frame.high.z = frame.low.z + height * shortest;
+    put_on_grid();
     size = std::max(largest_component(frame.low), largest_component(frame.high));
     box_error += (2 * margin * corner_error + 8 * unit_roundoff * size);
     box_error += height * (2 * box_error + 8 * unit_roundoff * shortest);
@@ -150,6 +152,28 @@ Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
         bounds[axis] = std::nextafter(origin[axis] + (least - pad), -infinity);
         bounds[axis + 3] = std::nextafter(origin[axis] + (greatest + pad), infinity);
     }
+}
+
+/// Where the box is made of short binary64 numbers: the frame as their differences from the origin, exact for a
+/// query that finds itself on one of the steps.
+void Box::Prepared::put_on_grid() {
+    if (!aligned || !aligned->sides || scale != 1) return;
+    Vector3<double> start;
+    BitSpan bits;
+    for (int k = 0; k < 3; ++k) {
+        start[k] = aligned->coordinate(origin, k);
+        bits.add(start[k]);
+        for (const AlignedBox::Pair& side : (*aligned->sides)[static_cast<std::size_t>(k)]) {
+            if (side.rest != 0) return;
+            bits.add(side.nearest);
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        const auto& [low, high] = (*aligned->sides)[static_cast<std::size_t>(k)];
+        frame.low[k] = low.nearest - start[k];
+        frame.high[k] = high.nearest - start[k];
+    }
+    grid = {std::ldexp(1.0, bits.high - 50), std::ldexp(1.0, bits.low)};
 }
 
 const ExactBox& Box::Prepared::exact() const {

@@ -29,7 +29,10 @@ public:
     UncertainSign edge(const Number& gap, const Vector3<Number>& d, bool at_top) const {
         return uncertain(at_top ? sign_with_root(gap, d.z, rise_squared_) : sign_of(gap));
     }
-    UncertainSign plane(const Number& gap, const Vector3<Number>& d, bool at_top) const { return edge(gap, d, at_top); }
+    template <class Offset>
+    UncertainSign plane(const Number& gap, const Vector3<Number>& d, const Offset&, bool at_top) const {
+        return edge(gap, d, at_top);
+    }
     UncertainSign turn(const Number& value, int) const { return uncertain(sign_of(value)); }
 
 private:

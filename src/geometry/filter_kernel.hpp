@@ -36,7 +36,10 @@ public:
     UncertainSign base(double gap) const { return filtered_sign(gap, base_bound_); }
     UncertainSign top(double gap) const { return filtered_sign(gap, face_bound_); }
     UncertainSign edge(double gap, const Vector3<double>&, bool) const { return filtered_sign(gap, edge_bound_); }
-    UncertainSign plane(double gap, const Vector3<double>&, bool) const { return filtered_sign(gap, plane_bound_); }
+    template <class Offset>
+    UncertainSign plane(double gap, const Vector3<double>&, const Offset&, bool) const {
+        return filtered_sign(gap, plane_bound_);
+    }
     UncertainSign turn(double value, int) const { return filtered_sign(value, turn_bound_); }
 
 private:

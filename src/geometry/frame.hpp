@@ -8,6 +8,9 @@
 
 #include "cob/arithmetic.hpp"
 
+#include <array>
+#include <type_traits>
+
 namespace cob {
 
 // What a number type may do in its own way (wide integers look at one bit, intervals may not know).
@@ -31,6 +34,24 @@ bool less_than_zero(const Number& a) {
 template <class Number>
 const Number& first_along(const Number& d, const Number& low, const Number& high) {
     return greater_than_zero(d) ? low : high;
+}
+/// d times that end. Rounding keeps order, so that binary numbers need no branch, which would be taken at random.
+template <class Number>
+Number least_along(const Number& d, const Number& low, const Number& high) {
+    if constexpr (std::is_floating_point_v<Number>)
+        return lesser(Number(d * low), Number(d * high));
+    else
+        return d * first_along(d, low, high);
+}
+/// The value, or its opposite.
+template <class Number>
+Number signed_by(bool positive, const Number& value) {
+    if constexpr (std::is_floating_point_v<Number>) {
+        constexpr std::array<Number, 2> signs{-1, 1};
+        return signs[positive ? 1 : 0] * value;
+    } else {
+        return positive ? value : -value;
+    }
 }
 
 /// The box [low, high] of the frame's coordinates a, b, z; low.z is the element's plane. Where the height is

@@ -30,7 +30,10 @@ public:
         const Number least_height = gap + d.z * rise_;  // d.z < 0
         return between(least_height + d.z * step_, least_height);
     }
-    UncertainSign plane(const Number& gap, const Vector3<Number>& d, bool at_top) const { return edge(gap, d, at_top); }
+    template <class Offset>
+    UncertainSign plane(const Number& gap, const Vector3<Number>& d, const Offset&, bool at_top) const {
+        return edge(gap, d, at_top);
+    }
     UncertainSign turn(const Number& value, int) const { return uncertain(value.sign()); }
 
 private:
@@ -82,9 +85,16 @@ struct Integers {
         if (integer.rise != 0)
             kernel = IntegerKernel<Limbs>(Number(integer.rise, integer.rise_exponent - unit),
                                           Number(Integer(1), integer.rise_exponent - unit));
+        // Both are multiples of 2^unit, so a difference of less than 53 bits is exact in binary64.
+        const double steps = std::abs(unit) < 900 ? std::ldexp(1.0, -unit) : 0;
+        const auto difference = [&](double a, double b) {
+            const double value = (a - b) * steps;
+            return steps != 0 && std::abs(value) < 0x1p52 ? Number(static_cast<std::int64_t>(value))
+                                                          : Number(a, unit) - Number(b, unit);
+        };
         for (const Point& p : points) {
             Vector3<Number> relative;
-            for (int axis = 0; axis < 3; ++axis) relative[axis] = Number(p[axis], unit) - Number(origin[axis], unit);
+            for (int axis = 0; axis < 3; ++axis) relative[axis] = difference(p[axis], origin[axis]);
             corners.push_back(
                 {dot(directions[0], relative), dot(directions[1], relative), dot(directions[2], relative)});
         }
@@ -144,11 +154,12 @@ Size size_of(const IntegerQuery& query) {
 }
 
 /// Short coordinates, the ordinary case of scenes drawn on a grid: all corners and sides on a lattice of 2^38 steps
-/// each way (and the piece of four corners at most) fit two limbs and need no counting of bits. False where not.
+/// each way (and the piece of four corners at most) fit two limbs and need no counting of bits. False where not. The
+/// box must have sides.
 bool on_lattice(const IntegerQuery& query, Integers<2>& integers) {
     constexpr int lattice_bits = 38;
     const Box::Prepared& box = query.box;
-    if (!has_sides(box) || query.corners.size() > 4) return false;
+    if (query.corners.size() > 4) return false;
     double largest = box.size;
     for (int k = 0; k < 3; ++k) largest = std::max({largest, -query.rounded.low[k], query.rounded.high[k]});
     const int exponent = exponent_above(largest * 1.001 / box.scale) - lattice_bits;
@@ -200,9 +211,11 @@ int bits_needed(const Size& size, Degree degree, int corner_count) {
 /// Calls evaluate(Integers<Limbs>) with as few limbs as the bits need; false: too many.
 template <class Evaluate>
 bool in_integers(const IntegerQuery& query, Degree degree, const Evaluate& evaluate) {
-    if (Integers<2> integers; on_lattice(query, integers)) {
-        evaluate(integers);
-        return true;
+    if (has_sides(query.box)) {
+        if (Integers<2> integers; on_lattice(query, integers)) {
+            evaluate(integers);
+            return true;
+        }
     }
     const Size size = size_of(query);
     const int bits = bits_needed(size, degree, static_cast<int>(query.corners.size()));

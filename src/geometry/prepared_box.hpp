@@ -6,6 +6,7 @@
 #include "geometry/aligned_box.hpp"
 #include "geometry/exact_box.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/grid_kernel.hpp"
 
 #include <memory>
 #include <mutex>
@@ -27,6 +28,7 @@ struct Box::Prepared {
     FrameBox<double> frame;
     double size = 0;   ///< Largest absolute coordinate of the box in the frame.
     double error = 0;  ///< Bound on the error of any coordinate, relative to the largest in the query (at least size).
+    GridSteps grid;    ///< Steps on which the origin and the box lie exactly, unscaled; none where it is not aligned.
 
     explicit Prepared(const BoxQuestion& question);
 
@@ -40,6 +42,8 @@ struct Box::Prepared {
     }
 
 private:
+    void put_on_grid();
+
     mutable std::once_flag exact_once_, integers_once_;
     mutable std::unique_ptr<const ExactBox> exact_;
     mutable std::unique_ptr<const IntegerBox> integers_;

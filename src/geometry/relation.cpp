@@ -28,10 +28,15 @@ bool to_frame(const Scene& scene, const View<VertexId>& vertices, const Box::Pre
     return sum < 1e90;
 }
 
-FilterKernel make_filter(const Box::Prepared& box, const FramePiece<double>& piece) {
+/// M of filter_kernel.hpp.
+double largest_coordinate(const Box::Prepared& box, const FramePiece<double>& piece) {
     double largest = box.size;
     for (int k = 0; k < 3; ++k) largest = std::max({largest, -piece.low[k], piece.high[k]});
-    return {largest, box.error, std::max(1, piece.count - 2), box.base_exact};
+    return largest;
+}
+
+FilterKernel make_filter(const Box::Prepared& box, const FramePiece<double>& piece) {
+    return {largest_coordinate(box, piece), box.error, std::max(1, piece.count - 2), box.base_exact};
 }
 
 /// One piece against one box: the stages share what they have found.
@@ -41,16 +46,25 @@ public:
         : scene_(scene),
           vertices_(scene.corners(piece)),
           box_(box),
-          in_range_(to_frame(scene, vertices_, box, frame_)) {}
+          in_range_(to_frame(scene, vertices_, box, frame_)) {
+        if (!in_range_ || static_cast<int>(vertices_.size()) > GridKernel::most_corners) return;
+        const double step = grid_step(largest_coordinate(box, frame_piece()));
+        if (!box.grid.contain(step)) return;
+        for (const VertexId vertex : vertices_)
+            if (!on_grid(scene.position(vertex), step)) return;
+        grid_ = GridKernel(step);
+    }
 
     Relation relation(PredicateCounters& counters) {
         Findings findings;
-        findings.undecided = everything();
-
-        // 1. The filter.
+        // 1. Without rounding, else the filter.
+        if (grid_) {
+            ++counters.filtered;
+            separate(*grid_, box_.frame, frame_piece(), AllAxes{}, findings);
+            return relation_of(findings);
+        }
         if (in_range_) {
             const FramePiece<double> piece = frame_piece();
-            findings.undecided = {};
             separate(make_filter(box_, piece), box_.frame, piece, AllAxes{}, findings);
             if (findings.decided()) {
                 ++counters.filtered;
@@ -76,7 +90,7 @@ public:
 
         // 3. Fractions.
         ++counters.rational;
-        const AxisSet open = findings.undecided;
+        const AxisSet open = in_range_ ? findings.undecided : everything();
         findings.undecided = {};
         const Rational rise_squared = box_.exact().rise_squared();
         const FrameCorners<Rational> corners = exact_corners();
@@ -86,6 +100,10 @@ public:
 
     bool covers(PredicateCounters& counters) const {
         UncertainBool answer = UncertainBool::undecided;
+        if (grid_) {
+            ++counters.filtered;
+            return meets_all_box_edges(*grid_, box_.frame, frame_piece()) == UncertainBool::yes;
+        }
         if (in_range_) {
             const FramePiece<double> piece = frame_piece();
             answer = meets_all_box_edges(make_filter(box_, piece), box_.frame, piece);
@@ -177,6 +195,7 @@ private:
     const Box::Prepared& box_;
     FilterCorners frame_;
     bool in_range_;
+    std::optional<GridKernel> grid_;
 };
 
 /// Cover by several pieces: quickly refused where the polygon's extents leave some of the rectangle free.

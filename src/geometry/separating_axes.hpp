@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace cob {
 
@@ -65,10 +66,18 @@ struct Findings {
     bool decided() const { return apart || undecided.empty(); }
 };
 
+/// Calls visit with the axes 0, 1 and 2 as constants, until one call returns true; that is returned.
+template <class Visit>
+bool any_axis(const Visit& visit) {
+    return visit(std::integral_constant<int, 0>()) || visit(std::integral_constant<int, 1>()) ||
+           visit(std::integral_constant<int, 2>());
+}
+
 /// Looks at the wanted axes and adds to the findings. A kernel supplies the number type and the signs:
-///   face(gap, k), base(gap), top(gap)      gaps along the box's axes; top(gap) is that above the box,
-///   edge(gap, d, top), plane(gap, d, top)  gaps along e x k and N, top: c is a corner of the box's top,
-///   turn(value, k)                         sign of N.k.
+///   face(gap, k), base(gap), top(gap)   gaps along the box's axes; top(gap) is that above the box,
+///   edge(gap, d, top)                   gaps along e x k, top: c is a corner of the box's top,
+///   plane(gap, d, offset, top)          gaps along N, which are d.offset(),
+///   turn(value, k)                      sign of N.k.
 template <class Kernel, class Axes>
 void separate(const Kernel& kernel, const FrameBox<typename Kernel::Number>& box,
               const FramePiece<typename Kernel::Number>& piece, const Axes& wanted, Findings& findings) {
@@ -85,56 +94,63 @@ void separate(const Kernel& kernel, const FrameBox<typename Kernel::Number>& box
     };
 
     // 1. The faces of the box.
-    for (int k = 0; k < 3; ++k) {
+    const auto beyond_faces = [&](auto k) {
         if (wanted.face(2 * k)) {
             const Number gap = box.low[k] - piece.high[k];
             const auto leave_open = [&] { findings.undecided.add_face(2 * k); };
-            if (note(k == 2 ? kernel.base(gap) : kernel.face(gap, k), k == 2, leave_open)) return;
+            if (note(k == 2 ? kernel.base(gap) : kernel.face(gap, k), k == 2, leave_open)) return true;
         }
         if (wanted.face(2 * k + 1)) {
             const Number gap = piece.low[k] - box.high[k];
             const auto leave_open = [&] { findings.undecided.add_face(2 * k + 1); };
-            if (note(k == 2 ? kernel.top(gap) : kernel.face(gap, k), false, leave_open)) return;
+            if (note(k == 2 ? kernel.top(gap) : kernel.face(gap, k), false, leave_open)) return true;
         }
-    }
-    if (wanted.only_faces()) return;
+        return false;
+    };
+    if (any_axis(beyond_faces) || wanted.only_faces()) return;
 
     // 2. The plane of the piece, from both sides.
     const Vector3<Number> normal = piece.normal();
+    const Vector3<Number> low = box.low - piece.corner(0), high = box.high - piece.corner(0);
     for (int way = 0; way < 2; ++way) {
         if (!wanted.normal(way)) continue;
         const Vector3<Number> d = way == 0 ? normal : -normal;
         const bool top = less_than_zero(d.z), foot = greater_than_zero(d.z);
-        const Number gap = d.x * (first_along(d.x, box.low.x, box.high.x) - piece.corner(0).x) +
-                           d.y * (first_along(d.y, box.low.y, box.high.y) - piece.corner(0).y) +
-                           d.z * (first_along(d.z, box.low.z, box.high.z) - piece.corner(0).z);
-        if (note(kernel.plane(gap, d, top), foot, [&] { findings.undecided.add_normal(way); })) return;
+        const Number gap =
+            least_along(d.x, low.x, high.x) + least_along(d.y, low.y, high.y) + least_along(d.z, low.z, high.z);
+        const auto offset = [&] {
+            return Vector3<Number>{first_along(d.x, low.x, high.x), first_along(d.y, low.y, high.y),
+                                   first_along(d.z, low.z, high.z)};
+        };
+        if (note(kernel.plane(gap, d, offset, top), foot, [&] { findings.undecided.add_normal(way); })) return;
     }
 
     // 3. The sides of the piece x the axes of the box: seen along k, the box's rectangle behind a side.
-    for (int k = 0; k < 3; ++k) {
-        if (!wanted.group(k)) continue;
+    const auto beyond_sides = [&](auto k) {
+        if (!wanted.group(k)) return false;
         const UncertainSign turn = kernel.turn(normal[k], k);
-        if (turn == UncertainSign::zero) continue;
+        if (turn == UncertainSign::zero) return false;
         if (turn == UncertainSign::undecided) {
             findings.undecided.add_group(k);
-            continue;
+            return false;
         }
-        const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+        const bool left = greater_than_zero(normal[k]);
+        constexpr int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
         for (int side = 0; side < piece.count; ++side) {
             if (!wanted.side(k, side)) continue;
             const Vector3<Number>& q = piece.corner(side);
             const Vector3<Number>& r = piece.next(side);
-            const bool left = turn == UncertainSign::positive;
             Vector3<Number> d;  // out of the outline, which runs counter-clockwise where N.k > 0
-            d[i] = left ? r[j] - q[j] : q[j] - r[j];
-            d[j] = left ? q[i] - r[i] : r[i] - q[i];
+            d[i] = signed_by(left, Number(r[j] - q[j]));
+            d[j] = signed_by(left, Number(q[i] - r[i]));
             const bool top = less_than_zero(d.z), foot = greater_than_zero(d.z);
-            const Number gap = d[i] * (first_along(d[i], box.low[i], box.high[i]) - q[i]) +
-                               d[j] * (first_along(d[j], box.low[j], box.high[j]) - q[j]);
-            if (note(kernel.edge(gap, d, top), foot, [&] { findings.undecided.add_side(k, side); })) return;
+            const Number gap = least_along(d[i], Number(box.low[i] - q[i]), Number(box.high[i] - q[i])) +
+                               least_along(d[j], Number(box.low[j] - q[j]), Number(box.high[j] - q[j]));
+            if (note(kernel.edge(gap, d, top), foot, [&] { findings.undecided.add_side(k, side); })) return true;
         }
-    }
+        return false;
+    };
+    any_axis(beyond_sides);
 }
 
 /// The paper's test of cover for a convex piece (SPEC 5): it meets all four edges of the box; and, a little more
@@ -147,7 +163,7 @@ UncertainBool meets_all_box_edges(const Kernel& kernel, const FrameBox<typename 
     const UncertainSign turn = kernel.turn(normal.z, 2);
     if (turn == UncertainSign::zero) return UncertainBool::no;
     if (turn == UncertainSign::undecided) return UncertainBool::undecided;
-    const bool left = turn == UncertainSign::positive;
+    const bool left = greater_than_zero(normal.z);
     const Vector3<Number> up = left ? normal : -normal;
 
     UncertainBool answer = UncertainBool::yes;
@@ -163,15 +179,16 @@ UncertainBool meets_all_box_edges(const Kernel& kernel, const FrameBox<typename 
             const Vector3<Number>& q = piece.corner(side);
             const Vector3<Number>& r = piece.next(side);
             Vector3<Number> d;
-            d.x = left ? r.y - q.y : q.y - r.y;
-            d.y = left ? q.x - r.x : r.x - q.x;
+            d.x = signed_by(left, Number(r.y - q.y));
+            d.y = signed_by(left, Number(q.x - r.x));
             if (fails(kernel.edge(d.x * (c.x - q.x) + d.y * (c.y - q.y), d, false), false)) return UncertainBool::no;
         }
         // The plane of the piece passes above the box edge's foot and not above its top.
-        if (fails(kernel.plane(dot(up, c - piece.corner(0)), up, false), true)) return UncertainBool::no;
+        const auto offset = [&] { return c - piece.corner(0); };
+        if (fails(kernel.plane(dot(up, offset()), up, offset, false), true)) return UncertainBool::no;
         c.z = box.high.z;
         const Vector3<Number> down = -up;
-        if (fails(kernel.plane(dot(down, c - piece.corner(0)), down, true), false)) return UncertainBool::no;
+        if (fails(kernel.plane(dot(down, offset()), down, offset, true), false)) return UncertainBool::no;
     }
     return answer;
 }

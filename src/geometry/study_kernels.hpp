@@ -19,7 +19,10 @@ public:
     UncertainSign base(const T& gap) const { return uncertain(sign_of(gap)); }
     UncertainSign top(const T& gap) const { return uncertain(sign_of(gap)); }
     UncertainSign edge(const T& gap, const Vector3<T>&, bool) const { return uncertain(sign_of(gap)); }
-    UncertainSign plane(const T& gap, const Vector3<T>&, bool) const { return uncertain(sign_of(gap)); }
+    template <class Offset>
+    UncertainSign plane(const T& gap, const Vector3<T>&, const Offset&, bool) const {
+        return uncertain(sign_of(gap));
+    }
     UncertainSign turn(const T& value, int) const { return uncertain(sign_of(value)); }
 };
 
@@ -33,7 +36,10 @@ public:
     UncertainSign base(double gap) const { return sign(gap, 1); }
     UncertainSign top(double gap) const { return sign(gap, 1); }
     UncertainSign edge(double gap, const Vector3<double>& d, bool) const { return sign(gap, std::sqrt(dot(d, d))); }
-    UncertainSign plane(double gap, const Vector3<double>& d, bool) const { return sign(gap, std::sqrt(dot(d, d))); }
+    template <class Offset>
+    UncertainSign plane(double gap, const Vector3<double>& d, const Offset&, bool) const {
+        return sign(gap, std::sqrt(dot(d, d)));
+    }
     UncertainSign turn(double value, int) const { return sign(value, tolerance_); }
 
 private:
@@ -55,7 +61,10 @@ public:
         const bool unclear = gap.sign() == UncertainSign::zero && d.z.straddles_zero();
         return unclear ? UncertainSign::undecided : gap.sign();
     }
-    UncertainSign plane(const Interval& gap, const Vector3<Interval>& d, bool top) const { return edge(gap, d, top); }
+    template <class Offset>
+    UncertainSign plane(const Interval& gap, const Vector3<Interval>& d, const Offset&, bool top) const {
+        return edge(gap, d, top);
+    }
     UncertainSign turn(const Interval& value, int) const { return value.sign(); }
 };
 

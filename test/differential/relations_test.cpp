@@ -8,6 +8,8 @@
 #include "cob/classification.hpp"
 #include "cob/geometry.hpp"
 
+#include <cmath>
+
 namespace cob::test {
 namespace {
 
@@ -68,20 +70,24 @@ void compare_box(const naive::BoxQuestion& question, const Scene& scene, const C
     sum.compare(found == expected ? "same state" : found, found == expected ? "same state" : expected, where);
 }
 
+constexpr std::uint64_t pairs_per_case = 18;
+
+/// All boxes of a case among all its polygons.
+void compare_case(const naive::BoxCase& question, std::uint64_t seed, const std::string& where, Tally& sum) {
+    const Scene scene = library_scene(question.faces, seed % 4 < 2 ? Vertices::apart : Vertices::shared);
+    const auto source = make_candidates(scene, seed % 2 == 0 ? Source::all : Source::cgal);
+    std::vector<naive::SceneItem> items = naive_scene(question.faces);
+    for (PolygonId id = 0; id < scene.polygon_count(); ++id)
+        if (!scene.polygon(id).valid) items[static_cast<std::size_t>(id)].polygon.refused = "by the library";
+    for (std::size_t k = 0; k < question.boxes.size(); ++k)
+        compare_box(question.boxes[k], scene, *source, items, where + "box " + std::to_string(k), sum);
+    compare_shared(question.boxes[0].polygon, scene, items, where, sum);
+}
+
 TEST(RelationsAgainstTwin, AdversarialBoxes) {
-    const std::uint64_t pairs_per_case = 18;
     const Tally tally = run_cases(0, 100000 * length / pairs_per_case, [](std::uint64_t seed, Tally& sum) {
-        const naive::BoxCase question = naive::box_case(seed);
-        const Scene scene = library_scene(question.faces, seed % 4 < 2 ? Vertices::apart : Vertices::shared);
-        const auto source = make_candidates(scene, seed % 2 == 0 ? Source::all : Source::cgal);
-        std::vector<naive::SceneItem> items = naive_scene(question.faces);
-        for (PolygonId id = 0; id < scene.polygon_count(); ++id)
-            if (!scene.polygon(id).valid) items[static_cast<std::size_t>(id)].polygon.refused = "by the library";
-        const std::string where =
-            "box case " + std::to_string(seed) + " of " + naive::to_text(naive::family_of(seed)) + " ";
-        for (std::size_t k = 0; k < question.boxes.size(); ++k)
-            compare_box(question.boxes[k], scene, *source, items, where + "box " + std::to_string(k), sum);
-        compare_shared(question.boxes[0].polygon, scene, items, where, sum);
+        compare_case(naive::box_case(seed), seed,
+                     "box case " + std::to_string(seed) + " of " + naive::to_text(naive::family_of(seed)) + " ", sum);
     });
     expect_no_difference(tally);
     expect_shares(tally,
@@ -90,6 +96,39 @@ TEST(RelationsAgainstTwin, AdversarialBoxes) {
     expect_shares(tally, {{"none", 0.1}, {"vertex", 0.05}, {"edge", 0.05}});
     expect_shares(tally, {{"faces", 0.1}, {"turned away", 0.1}});
     expect_shares(tally, {{"occluded", 0.05}, {"close", 0.1}, {"empty", 0.05}});
+}
+
+/// A lattice case blown up to so many bits that binary64 is just exact, or just not (geometry/grid_kernel.hpp): scaled
+/// by a power of two, with some faces moved by single steps, and far from the origin by as many bits as that takes.
+naive::BoxCase at_the_limit_of_bits(std::uint64_t seed) {
+    naive::BoxCase question = naive::box_case(seed * naive::family_count);  // of the lattice family
+    naive::Dice dice(seed);
+    const double scale = std::ldexp(1.0, dice.between(16, 23)), unit = std::ldexp(1.0, dice.pick({0, -160, 120}));
+    const double offset = dice.one_in(2) ? 0 : std::ldexp(1.0, dice.between(42, 47));
+    Point shift;
+    for (int axis = 0; axis < 3; ++axis) shift[axis] = dice.below(2) * offset;
+    for (std::size_t k = 0; k < question.faces.size(); ++k) {
+        const bool moved = k > 0 && dice.one_in(3);  // the first is what the boxes stand on
+        for (Point& corner : question.faces[k].corners) {
+            corner = scale * corner + shift;
+            if (moved) corner[dice.below(3)] += dice.pick({-1.0, 0.0, 1.0});
+            corner = unit * corner;
+        }
+    }
+    for (naive::BoxQuestion& box : question.boxes)
+        for (RationalPoint& corner : box.corners)
+            corner = Rational(unit) * (Rational(scale) * corner + to_rational(shift));
+    return question;
+}
+
+TEST(RelationsAgainstTwin, LimitsOfExactBinary64) {
+    const Tally tally = run_cases(0, 15000 * length / pairs_per_case, [](std::uint64_t seed, Tally& sum) {
+        compare_case(at_the_limit_of_bits(seed), seed, "limit case " + std::to_string(seed) + " ", sum);
+    });
+    expect_no_difference(tally);
+    expect_shares(tally,
+                  {{"crossing", 0.1}, {"boundary", 0.02}, {"coplanar", 0.03}, {"base", 0.02}, {"disjoint", 0.1}});
+    expect_shares(tally, {{"covers", 0.01}, {"does not cover", 0.1}});
 }
 
 /// A box's question with one thing wrong with it, or nearly so.
