@@ -29,6 +29,9 @@ enum class BufferLevels : std::uint8_t {
     element,  ///< None, one level: from the whole scene.
     polygon,  ///< Two levels: from the buffer over its whole root.
     tree,     ///< Every level: from the nearest element around it.
+    /// One or two levels, by what the scene repays: from the buffer over the outermost of its root, its patch and what
+    /// lies between the patch and it, of which the box has few polygons around; none such: from the whole scene.
+    automatic,
 };
 
 /// The buffer of one element: a state and the place of its list. Before it is built, uninitialised.

@@ -41,6 +41,8 @@ public:
 
     /// From the whole scene: every polygon that the source names. Fills the result anew.
     void from_scene(const Box& box, const CandidateSource& source, Classification& result);
+    /// The same unless the source names more than so many polygons: then false, and the result is left as it is.
+    bool from_scene(const Box& box, const CandidateSource& source, std::size_t most, Classification& result);
     /// Among the given polygons, ascending, which must hold all that are not disjoint (or, where only the state and
     /// its lists are wanted, all that are close). Fills the result anew; candidates may be lists of another result.
     void among(const Box& box, View<PolygonId> candidates, Classification& result);

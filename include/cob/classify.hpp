@@ -35,6 +35,10 @@ public:
     /// patches a side around its patch (fewer where the root is cut less that way), its patch, and what was refined
     /// between that and it.
     void around(std::uint64_t number, std::vector<Element>& ancestors) const;
+    /// Of these the root, the patch and what was refined: those of which all elements are consecutive.
+    void consecutive_around(std::uint64_t number, std::vector<Element>& ancestors) const;
+    /// How many elements make up this one, which is one of consecutive_around() their number.
+    std::uint64_t elements_in(std::uint64_t number, const Element& ancestor) const;
 
     const Scene& scene() const { return scene_; }
     const Roots& roots() const { return roots_; }
@@ -58,7 +62,8 @@ Element parse_address(const Scene& scene, const Roots& roots, const std::string&
 
 struct ClassifyOptions {
     BufferOptions buffer;
-    BufferLevels levels = BufferLevels::element;
+    /// In BufferMode::inherit, where the buffers around an element say more than what is near, automatic is polygon.
+    BufferLevels levels = BufferLevels::automatic;
     bool relations = true;  ///< Find all neighbours; false: only what the state and its lists need.
 };
 
@@ -101,6 +106,8 @@ private:
     };
 
     void renew_around(std::uint64_t number);
+    void renew_automatic(std::uint64_t number);
+    void take_candidates(Around& around) const;
     void classify(const Box& box, const Around* around, Classification& found, bool compared);
 
     const ElementList& elements_;
@@ -111,7 +118,8 @@ private:
     std::vector<Element> wanted_;  ///< The elements around the present one.
     std::vector<Around> around_;   ///< Their buffers; the first depth_ are valid.
     std::size_t depth_ = 0;
-    bool inherits_ = false;  ///< One of them is occluded, and the mode is inherit.
+    std::vector<Element> crowded_;  ///< Automatic: the elements outside of the one that has a buffer.
+    bool inherits_ = false;         ///< One of them is occluded, and the mode is inherit.
 };
 
 }  // namespace cob

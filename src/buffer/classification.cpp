@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace cob {
 
@@ -39,16 +40,29 @@ BufferState state_of(const Classification& result) {
 }  // namespace
 
 void BoxClassifier::from_scene(const Box& box, const CandidateSource& source, Classification& result) {
+    from_scene(box, source, std::numeric_limits<std::size_t>::max(), result);
+}
+
+bool BoxClassifier::from_scene(const Box& box, const CandidateSource& source, std::size_t most,
+                               Classification& result) {
+    struct Collector {
+        std::vector<PolygonId>& candidates;
+        std::size_t most;
+    } collector{candidates_, most};
     candidates_.clear();
-    source.polygons_in(box.bounds(), {&candidates_, [](void* context, std::int32_t id) {
-                                          static_cast<std::vector<PolygonId>*>(context)->push_back(id);
-                                          return true;
+    source.polygons_in(box.bounds(), {&collector, [](void* context, std::int32_t id) {
+                                          const Collector& to = *static_cast<const Collector*>(context);
+                                          to.candidates.push_back(id);
+                                          return to.candidates.size() <= to.most;
                                       }});
+    if (candidates_.size() > most) return false;
+
     // A tree names them in an order of its own.
     std::sort(candidates_.begin(), candidates_.end());
     clear(result);
     for (const PolygonId polygon : candidates_) test(box, polygon, result);
     result.state = state_of(result);
+    return true;
 }
 
 void BoxClassifier::among(const Box& box, View<PolygonId> candidates, Classification& result) {

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace cob {
+namespace {
+
+// Measured: where a buffer around elements costs as much as it spares.
+constexpr std::size_t longest_list = 64, most_an_element = 4;
+
+}  // namespace
 
 ClassifyStatistics& ClassifyStatistics::operator+=(const ClassifyStatistics& other) {
     for (std::size_t k = 0; k < elements.size(); ++k) elements[k] += other.elements[k];
@@ -43,8 +49,10 @@ void ElementClassifier::operator()(std::uint64_t number, ClassifiedElement& resu
 
 void ElementClassifier::renew_around(std::uint64_t number) {
     if (options_.levels == BufferLevels::element) return;
+    const bool strict = options_.buffer.mode == BufferMode::strict;
+    if (options_.levels == BufferLevels::automatic && strict) return renew_automatic(number);
     elements_.around(number, wanted_);
-    if (options_.levels == BufferLevels::polygon && wanted_.size() > 1) wanted_.resize(1);
+    if (options_.levels != BufferLevels::tree && wanted_.size() > 1) wanted_.resize(1);
 
     // Those that the element before had, too.
     std::size_t kept = 0;
@@ -60,21 +68,55 @@ void ElementClassifier::renew_around(std::uint64_t number) {
                                        options_.buffer.margin, options_.buffer.height));
             classify(box, depth_ > 0 ? &around_[depth_ - 1] : nullptr, here.found, inherits_);
             ++statistics_.around;
-            here.candidates.clear();
-            if (options_.relations)
-                for (const Neighbour& neighbour : here.found.neighbours) here.candidates.push_back(neighbour.polygon);
-            else
-                here.candidates = here.found.close;
+            take_candidates(here);
         }
-        inherits_ =
-            inherits_ || (options_.buffer.mode == BufferMode::inherit && here.found.state == BufferState::occluded);
+        inherits_ = inherits_ || (!strict && here.found.state == BufferState::occluded);
     }
+}
+
+/// A buffer around elements pays where its list is short: it is built at the price of a relation for each polygon, and
+/// then every element goes through all of it, where the scene's tree would name a few.
+void ElementClassifier::renew_automatic(std::uint64_t number) {
+    elements_.consecutive_around(number, wanted_);
+    std::size_t k = 0;
+    while (k < std::min(crowded_.size(), wanted_.size()) && crowded_[k] == wanted_[k]) ++k;
+    crowded_.resize(k);
+    if (depth_ > 0 && k < wanted_.size() && around_[0].element == wanted_[k]) return;
+
+    // From the outside in, the first with few polygons around.
+    around_.resize(1);
+    Around& here = around_[0];
+    for (depth_ = 0; k < wanted_.size(); ++k) {
+        const Element& element = wanted_[k];
+        const Box box(box_question(elements_.scene(), elements_.root_of(element), element, options_.buffer.margin,
+                                   options_.buffer.height));
+        const std::uint64_t few =
+            std::min<std::uint64_t>(longest_list, most_an_element * elements_.elements_in(number, element));
+        if (classifier_.from_scene(box, source_, few, here.found)) {
+            here.element = element;
+            take_candidates(here);
+            statistics_.tested += here.found.tested;
+            ++statistics_.around;
+            depth_ = 1;
+            return;
+        }
+        crowded_.push_back(element);
+    }
+}
+
+/// What a buffer hands down.
+void ElementClassifier::take_candidates(Around& around) const {
+    around.candidates.clear();
+    if (options_.relations)
+        for (const Neighbour& neighbour : around.found.neighbours) around.candidates.push_back(neighbour.polygon);
+    else
+        around.candidates = around.found.close;
 }
 
 void ElementClassifier::classify(const Box& box, const Around* around, Classification& found, bool compared) {
     // Boxes nest: what meets the box of an element meets the box around it. An occluded buffer stores no polygons
-    // and is only a hint (SPEC 5).
-    if (around == nullptr || around->found.state == BufferState::occluded)
+    // and is only a hint (SPEC 5); in a long list the tree finds its few faster.
+    if (around == nullptr || around->found.state == BufferState::occluded || around->candidates.size() > longest_list)
         classifier_.from_scene(box, source_, found);
     else
         classifier_.among(box, {around->candidates.data(), around->candidates.data() + around->candidates.size()},

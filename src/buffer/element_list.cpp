@@ -109,6 +109,24 @@ void ElementList::around(std::uint64_t number, std::vector<Element>& ancestors) 
     }
 }
 
+void ElementList::consecutive_around(std::uint64_t number, std::vector<Element>& ancestors) const {
+    ancestors.clear();
+    Element element = patches_[number >> (2 * meshing_.level)];
+    if (!(element == root_element(element.root))) ancestors.push_back(root_element(element.root));
+    for (int shift = 2 * meshing_.level - 2; shift >= 0; shift -= 2) {
+        ancestors.push_back(element);
+        element = children(root_of(element), element)[number >> shift & 3];
+    }
+}
+
+std::uint64_t ElementList::elements_in(std::uint64_t number, const Element& ancestor) const {
+    const Element& patch = patches_[number >> (2 * meshing_.level)];
+    // A triangle's two levels are equal, and a refinement raises both: four of one.
+    const int by_i = patch.level_i + meshing_.level - ancestor.level_i;
+    const int by_j = patch.level_j + meshing_.level - ancestor.level_j;
+    return std::uint64_t{1} << (by_i + by_j);
+}
+
 std::string to_address(const Roots& roots, const Element& element) {
     const Root& root = roots[element.root];
     const RootId first = roots.of(root.polygon).first;

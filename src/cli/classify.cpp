@@ -19,7 +19,7 @@ struct ClassifyCommand {
     SceneOptions scene;
     MeshingOptions meshing;
     SourceOption source;
-    std::string levels = "element", mode = "strict", folder;
+    std::string levels = "auto", mode = "strict", folder;
     int threads = 0;
     bool truth = false;
     std::uint64_t truth_pairs = TruthOptions{}.max_pairs;
@@ -31,8 +31,9 @@ struct ClassifyCommand {
         command
             .add_option("--buffer", levels,
                         "Buffers that an element's buffer is built from: none (element), that of its whole "
-                        "polygon's piece (polygon), or every level of the quadtree (tree)")
-            ->check(CLI::IsMember({"element", "polygon", "tree"}));
+                        "polygon's piece (polygon), every level of the quadtree (tree), or the outermost that has few "
+                        "polygons around, if any (auto; with --mode inherit as polygon)")
+            ->check(CLI::IsMember({"auto", "element", "polygon", "tree"}));
         command
             .add_option("--mode", mode,
                         "Under an occluded buffer: test from the scene (strict), or the paper's: occluded, too "
@@ -58,7 +59,8 @@ struct ClassifyCommand {
         ClassifySceneOptions options;
         options.classify.levels = levels == "tree"      ? BufferLevels::tree
                                   : levels == "polygon" ? BufferLevels::polygon
-                                                        : BufferLevels::element;
+                                  : levels == "element" ? BufferLevels::element
+                                                        : BufferLevels::automatic;
         options.classify.buffer.mode = mode == "inherit" ? BufferMode::inherit : BufferMode::strict;
         meshing.set(options.classify.buffer);
         const Meshing cut = meshing.meshing();

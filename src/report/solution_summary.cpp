@@ -21,7 +21,7 @@ const char* name_of(Strength s) {
     return names[static_cast<std::size_t>(s)];
 }
 const char* name_of(BufferLevels l) {
-    static constexpr const char* names[] = {"element", "polygon", "tree"};
+    static constexpr const char* names[] = {"element", "polygon", "tree", "auto"};
     return names[static_cast<std::size_t>(l)];
 }
 

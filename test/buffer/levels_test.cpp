@@ -64,9 +64,11 @@ TEST(Levels, EveryLevelGivesWhatTheWholeSceneGives) {
         const auto tree = make_candidates(scene, seed % 2 == 0 ? Source::cgal : Source::octree);
         const auto all = make_candidates(scene, Source::all);
         ClassifyOptions options;
+        options.levels = BufferLevels::element;
         const auto expected = classify_all(elements, *all, options);
         for (const auto& element : expected) ++met[element.found.state];
-        for (const BufferLevels levels : {BufferLevels::element, BufferLevels::polygon, BufferLevels::tree})
+        for (const BufferLevels levels :
+             {BufferLevels::element, BufferLevels::polygon, BufferLevels::tree, BufferLevels::automatic})
             for (const BufferMode mode : {BufferMode::strict, BufferMode::inherit}) {
                 options.levels = levels;
                 options.buffer.mode = mode;
@@ -111,6 +113,7 @@ TEST(Levels, ListsOfTheParentSpareTests) {
     const auto source = make_candidates(scene, Source::cgal);
     ClassifyOptions options;
     options.relations = false;
+    options.levels = BufferLevels::element;
     ClassifyStatistics one, two, of_roots;
     classify_all(elements, *source, options, &one);
     classify_all(ElementList(scene, roots, Meshing{}), *source, options, &of_roots);
@@ -119,6 +122,52 @@ TEST(Levels, ListsOfTheParentSpareTests) {
     EXPECT_EQ(two.around, static_cast<std::uint64_t>(roots.size()));
     EXPECT_LE(two.tested, one.tested + of_roots.tested);
     EXPECT_GT(two.tested, 0u);
+}
+
+/// A floor of 64 by 64, on it rows of small sheets: as many a row, and so many rows.
+Scene floor_under_sheets(int count, int rows) {
+    Scene::Input input;
+    input.name = "sheets";
+    input.materials.resize(1);
+    const auto add = [&](double x, double y, double z, double side) {
+        Scene::Face face;
+        for (const Point& corner : {Point{x, y, z}, {x + side, y, z}, {x + side, y + side, z}, {x, y + side, z}}) {
+            face.corners.push_back(static_cast<VertexId>(input.positions.size()));
+            input.positions.push_back(corner);
+        }
+        input.faces.push_back(face);
+    };
+    add(0, 0, 0, 64);
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < rows; ++j) add(64.0 * i / count + 1, 64.0 * j / count + 1, 0.5, 1);
+    return Scene::build(std::move(input));
+}
+
+// Two levels where the list is short, one where it would be gone through again and again; the same answers.
+TEST(Levels, AutomaticBuildsBuffersWherePolygonsAreFew) {
+    const auto run = [](const Scene& scene, const Meshing& meshing, BufferLevels levels) {
+        const Roots roots(scene);
+        const ElementList elements(scene, roots, meshing);
+        const auto source = make_candidates(scene, Source::cgal);
+        ClassifyOptions options;
+        options.levels = levels;
+        options.relations = false;
+        ClassifyStatistics statistics;
+        const auto found = classify_all(elements, *source, options, &statistics);
+        options.levels = BufferLevels::element;
+        const auto expected = classify_all(elements, *source, options);
+        for (std::size_t k = 0; k < found.size(); ++k) expect_equal(found[k].found, expected[k].found, false);
+        return statistics;
+    };
+    // Few around every root: as with two levels.
+    const Scene few = floor_under_sheets(5, 5);
+    for (const Meshing meshing : {Meshing{0, 3}, Meshing{1, 1}})
+        EXPECT_EQ(run(few, meshing, BufferLevels::automatic).around, run(few, meshing, BufferLevels::polygon).around);
+
+    // 144 sheets on the floor. Cut into patches, it has no buffer; refined, each of its quarters has one, with 49.
+    const Scene many = floor_under_sheets(12, 12);
+    EXPECT_EQ(run(many, Meshing{4, 0}, BufferLevels::automatic).around, 0u);
+    EXPECT_EQ(run(many, Meshing{0, 3}, BufferLevels::automatic).around, 4u + 144u) << "every sheet has one";
 }
 
 }  // namespace

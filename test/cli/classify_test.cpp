@@ -86,6 +86,7 @@ TEST(Classify, SameBytesForThreadsSourcesAndLevels) {
     ASSERT_EQ(test::run_program(common + folder / "first --threads 1").code, 0);
     compare("--threads 2");
     compare("--threads 7 --source all");
+    compare("--buffer element");
     compare("--buffer polygon --threads 2");
     compare("--buffer tree --mode inherit");
 }
@@ -132,7 +133,7 @@ TEST(Classify, HelpShowsEveryDefault) {
     const auto run = test::run_program("classify --help");
     EXPECT_EQ(run.code, 0);
     for (const char* shown : {"--level", "=0", "--edge", "--margin", "=0.125", "--height", "=0.25", "--buffer",
-                              "=element", "--mode", "=strict", "--source", "=cgal", "--threads"})
+                              "=auto", "--mode", "=strict", "--source", "=cgal", "--threads"})
         EXPECT_NE(run.out.find(shown), std::string::npos) << shown;
 }
 
