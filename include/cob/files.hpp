@@ -10,7 +10,8 @@
 namespace cob {
 
 /// A file that appears under its name only when commit() succeeds: written beside it under a temporary name, then
-/// renamed. Destroyed without commit(): the temporary is removed. Throws InputError (disk full, read-only, ...).
+/// renamed. Destroyed without commit(): the temporary is removed; of a process that was killed, by the next that writes
+/// the same file. Throws InputError (disk full, read-only, ...).
 class OutputFile {
 public:
     explicit OutputFile(std::string path);

@@ -2,16 +2,40 @@
 
 #include "cob/error.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
 namespace cob {
+namespace {
+
+const std::string temporary_ending = ".tmp";  // then the number of the process that writes it
+
+/// What processes that were killed have left of this file.
+void remove_leftovers(const std::filesystem::path& path) {
+    const std::string prefix = path.filename().string() + temporary_ending;
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        pid_t process = 0;
+        if (name.size() <= prefix.size() || name.compare(0, prefix.size(), prefix) != 0) continue;
+        const char *const first = name.data() + prefix.size(), *const last = name.data() + name.size();
+        const auto [stop, error] = std::from_chars(first, last, process);
+        if (error != std::errc{} || stop != last || process <= 0) continue;
+        if (::kill(process, 0) != 0 && errno == ESRCH) std::filesystem::remove(entry->path(), ignored);
+    }
+}
+
+}  // namespace
 
 OutputFile::OutputFile(std::string path)
-    : path_(std::move(path)), temporary_(path_ + ".tmp" + std::to_string(::getpid())) {
+    : path_(std::move(path)), temporary_(path_ + temporary_ending + std::to_string(::getpid())) {
+    remove_leftovers(path_);
     file_ = std::fopen(temporary_.c_str(), "wb");
     if (!file_) fail("cannot create");
 }

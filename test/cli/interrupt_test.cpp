@@ -1,13 +1,18 @@
 // Ctrl-C and full disks: what is not finished leaves no file.
 #include "cli/terminal.hpp"
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 #include "program.hpp"
 #include "report/classify_scene.hpp"
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <set>
 #include <stdexcept>
 
 namespace cob {
@@ -52,6 +57,32 @@ TEST(Interrupt, WhatCannotBeWrittenIsTold) {
     const auto run = test::run_program("classify " COB_DATA "/figure2.obj -o " + folder.path());
     EXPECT_EQ(run.code, 2);
     EXPECT_NE(run.error.find("states.csv"), std::string::npos) << run.error;
+}
+
+/// A process that has ended.
+pid_t dead_process() {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    EXPECT_GT(child, 0);
+    ::waitpid(child, nullptr, 0);
+    return child;
+}
+
+// Killed without a chance to tidy up: the next run does, and touches nothing that may belong to somebody.
+TEST(Interrupt, LeftoversOfKilledRunsAreRemoved) {
+    const test::TemporaryFolder folder;
+    const std::string dead = std::to_string(dead_process()), alive = std::to_string(::getppid());
+    const std::set<std::string> kept = {"states.csv.tmp" + alive, "states.csv.tmp" + dead + "x", "states.csv.tmp",
+                                        "states.csv.tmp-1", "other.csv.tmp" + dead};
+    for (const std::string& name : kept) write_file(folder / name, "theirs");
+    std::ofstream(folder / ("states.csv.tmp" + dead)) << "left over";
+    write_file(folder / "states.csv", "ours");
+    std::set<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        found.insert(entry.path().filename().string());
+    std::set<std::string> expected = kept;
+    expected.insert("states.csv");
+    EXPECT_EQ(found, expected);
 }
 
 }  // namespace
