@@ -25,10 +25,14 @@ struct BenchRow {
     std::uint64_t bytes = 0;                             ///< Of what the variant holds beside the scene.
 };
 
-/// A box question is all its candidates' relations (of yes-or-no variants: does the polygon meet the closed box?); the
-/// search for candidates is not timed. A segment question is one visibility. One thread. Throws InputError.
+/// A box question is all its candidates' relations (of yes-or-no variants: does the polygon meet the closed box?). The
+/// search for candidates and the box's frame in binary64 are not timed; what a variant makes of the box beyond that,
+/// once for each question, is. A segment question is one visibility. One thread. Throws InputError.
 /// Variants `cgal-epick` and `cgal-epeck` are asked only about axis-aligned boxes of binary64 corners.
 std::vector<BenchRow> bench_set(const std::string& set, const BenchOptions& options = {});
+
+/// Several sets, one after another: counts are summed, times are means over all questions, bytes are the largest.
+std::vector<BenchRow> bench_sets(const std::vector<std::string>& sets, const BenchOptions& options = {});
 
 /// What the figures were measured on.
 struct BenchMachine {

@@ -80,6 +80,9 @@ public:
     /// Candidates come from the same source, which is right for all of them.
     VisibilityAnswer operator()(const Segment& segment, Arithmetic arithmetic,
                                 PredicateCounters* counters = nullptr) const;
+    /// The same for one of several segments near each other, which one piece often blocks: it is tried first.
+    /// blocker: in: that piece, -1 for none; out: a piece that this segment crosses inside, -1 where it found none.
+    Visibility operator()(const Segment& segment, PieceId& blocker) const;
     /// As if the scene were this polygon alone.
     Visibility against(PolygonId polygon, const Segment& segment) const;
     /// The first polygon along the segment, from its beginning, that blocks it by itself; of several at one point the

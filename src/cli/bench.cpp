@@ -6,19 +6,22 @@
 
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace cob::cli {
 
 namespace {
 
 struct Arguments {
-    std::string set, folder;
+    std::vector<std::string> sets;
+    std::string folder;
     BenchOptions options;
 };
 
 void run(const Arguments& arguments) {
     create_folder(arguments.folder);
-    const std::vector<BenchRow> rows = bench_set(arguments.set, arguments.options);
+    const std::vector<BenchRow> rows = bench_sets(arguments.sets, arguments.options);
     const BenchMachine machine = bench_machine();
     std::fputs(report::bench_table(rows, machine).c_str(), stdout);
     write_file(arguments.folder + "/bench.csv", report::bench_csv(rows, machine));
@@ -41,7 +44,8 @@ void add_bench(CLI::App& app) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand(
         "bench", "Error against run time on a golden set: our formula in several arithmetics, CGAL, Embree");
-    command->add_option("set", arguments->set, "Folder of the golden set")->required();
+    command->add_option("sets", arguments->sets, "Folders of golden sets; their questions are summed up by kind")
+        ->required();
     command->add_option("-o,--output", arguments->folder, "Folder for bench.csv and the plots; created")->required();
     command->add_option("--repetitions", arguments->options.repetitions, "Runs over the questions of each kind")
         ->check(CLI::Range(1, 1000000));

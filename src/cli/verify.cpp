@@ -60,7 +60,9 @@ void add_verify(CLI::App& app) {
                       "Grazing segments must be answered grazing (hidden: 0); else either way is accepted");
     command
         ->add_option("--band", arguments->band,
-                     "Count disagreements on questions of this band or more apart, as near (53: none)")
+                     "Count disagreements on questions of this band or more apart, as near (53: none). A question's "
+                     "band is the smallest k from 8 to 52 such that its box grown and shrunk by 2^-k of its size, or "
+                     "its segment with the ends moved by as much, has the same answers: 52 is on a switch")
         ->check(CLI::Range(0, 53));
     command->add_option("--hit", arguments->hit, "Relations that close = 1 stands for, separated by commas");
     command->add_option("--list", arguments->options.listed, "Disagreements to describe, of each table");

@@ -1,5 +1,6 @@
 #include "arithmetic/orientation.hpp"
 #include "arithmetic/wide_integer.hpp"
+#include "geometry/interval_box.hpp"
 #include "geometry/prepared_box.hpp"
 
 #include <algorithm>
@@ -185,6 +186,13 @@ const IntegerBox& Box::Prepared::integers() const {
     std::call_once(integers_once_, [&] { integers_ = std::make_unique<const IntegerBox>(exact()); });
     return *integers_;
 }
+
+const IntervalBox& Box::Prepared::intervals() const {
+    std::call_once(intervals_once_, [&] { intervals_ = std::make_unique<const IntervalBox>(exact()); });
+    return *intervals_;
+}
+
+Box::Prepared::~Prepared() = default;
 
 Box::Box(const BoxQuestion& question) : prepared_(std::make_unique<Prepared>(question)) {}
 Box::~Box() = default;

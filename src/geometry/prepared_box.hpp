@@ -13,6 +13,8 @@
 
 namespace cob {
 
+struct IntervalBox;
+
 struct Box::Prepared {
     BoxQuestion question;
     std::array<double, 6> bounds{};
@@ -31,9 +33,11 @@ struct Box::Prepared {
     GridSteps grid;    ///< Steps on which the origin and the box lie exactly, unscaled; none where it is not aligned.
 
     explicit Prepared(const BoxQuestion& question);
+    ~Prepared();
 
     const ExactBox& exact() const;
     const IntegerBox& integers() const;
+    const IntervalBox& intervals() const;
 
     /// Inlined where the time goes.
     Vector3<double> to_frame(const Point& p) const {
@@ -44,9 +48,10 @@ struct Box::Prepared {
 private:
     void put_on_grid();
 
-    mutable std::once_flag exact_once_, integers_once_;
+    mutable std::once_flag exact_once_, integers_once_, intervals_once_;
     mutable std::unique_ptr<const ExactBox> exact_;
     mutable std::unique_ptr<const IntegerBox> integers_;
+    mutable std::unique_ptr<const IntervalBox> intervals_;
 };
 
 }  // namespace cob

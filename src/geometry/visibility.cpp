@@ -30,6 +30,14 @@ Visibility VisibilityOracle::operator()(const Segment& segment, PredicateCounter
     return visibility_along(signs, implementation_->candidates, segment);
 }
 
+Visibility VisibilityOracle::operator()(const Segment& segment, PieceId& blocker) const {
+    refuse_a_point(segment);
+    PredicateCounters counters;
+    const ExactSigns signs(implementation_->pieces, segment, {&counters});
+    if (blocker >= 0 && touch(signs, blocker).kind == Touch::Kind::inside) return Visibility::blocked;
+    return visibility_along(signs, implementation_->candidates, segment, &blocker);
+}
+
 Visibility VisibilityOracle::against(PolygonId polygon, const Segment& segment) const {
     refuse_a_point(segment);
     PredicateCounters counters;

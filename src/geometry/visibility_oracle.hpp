@@ -40,7 +40,7 @@ public:
             case Touch::Kind::none:
                 return true;
             case Touch::Kind::inside:
-                blocked_ = true;
+                blocker_ = piece;
                 return false;
             case Touch::Kind::in_plane:
                 grazes_ = true;
@@ -53,24 +53,29 @@ public:
         return true;
     }
     Visibility answer() {
-        if (blocked_ || mark_closing(signs_, sectors_, false)) return Visibility::blocked;
+        if (blocker_ >= 0 || mark_closing(signs_, sectors_, false)) return Visibility::blocked;
         return grazes_ || !sectors_.empty() ? Visibility::grazing : Visibility::clear;
     }
+    /// The piece that the segment crosses inside; -1: none so far.
+    PieceId blocker() const { return blocker_; }
 
 private:
     const Signs& signs_;
     Sectors sectors_;
-    bool blocked_ = false, grazes_ = false;
+    PieceId blocker_ = -1;
+    bool grazes_ = false;
 };
 
-/// The whole answer, over all candidates.
+/// The whole answer, over all candidates; blocker: the piece that the segment crosses inside, -1 where it found none.
 template <class Signs>
-Visibility visibility_along(const Signs& signs, const CandidateSource& candidates, const Segment& segment) {
+Visibility visibility_along(const Signs& signs, const CandidateSource& candidates, const Segment& segment,
+                            PieceId* blocker = nullptr) {
     Gathering<Signs> gathering(signs);
     candidates.pieces_along(segment.from.nearest(), segment.to.nearest(),
                             {&gathering, [](void* context, std::int32_t piece) {
                                  return static_cast<Gathering<Signs>*>(context)->add(piece);
                              }});
+    if (blocker != nullptr) *blocker = gathering.blocker();
     return gathering.answer();
 }
 

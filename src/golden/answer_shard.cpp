@@ -93,7 +93,7 @@ ShardMaker::Shard ShardMaker::segment_block(std::uint64_t first, std::uint64_t l
     for (std::uint64_t number = first; number < last; ++number) {
         const SegmentTask task = questions_.segment(number);
         const auto id = static_cast<RowId>(number);
-        const Visibility answer = oracle_(task.segment);
+        Visibility answer = Visibility::clear;
         const int band = segment_band(scene_, oracle_, task.segment, answer);
 
         append_row(segments, SegmentRow{id, task.segment.from, task.segment.to, task.from, task.to});

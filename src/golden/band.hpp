@@ -44,7 +44,7 @@ private:
     Classification scratch_;
 };
 
-/// The band of a segment whose visibility is known.
-int segment_band(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility visibility);
+/// Sets the visibility of a segment; returns its band.
+int segment_band(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility& visibility);
 
 }  // namespace cob

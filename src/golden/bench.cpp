@@ -2,6 +2,7 @@
 
 #include "golden/bench_set.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -40,13 +41,20 @@ void bench_boxes(const BenchSet& set, const BenchOptions& options, std::vector<B
         for (const auto& [kind, boxes] : set.boxes) {
             std::vector<std::vector<BoxAnswer>> answers(boxes.size());
             for (std::size_t k = 0; k < boxes.size(); ++k) answers[k].resize(boxes[k].pairs.size());
-            const auto ask = [&, &questions = boxes](std::size_t k) {
-                const BenchBox& box = questions[k];
-                for (std::size_t p = 0; p < box.pairs.size(); ++p)
-                    answers[k][p] = relate(set.scene, box.pairs[p].polygon, *box.box, variant.arithmetic);
+            // A box has its binary64 frame from the beginning. What a variant needs beyond that (integers, intervals,
+            // fractions) a box makes once, when first asked, and keeps: each repetition gets boxes of its own.
+            std::vector<Box> prepared;
+            const auto prepare = [&, &questions = boxes] {
+                prepared.clear();
+                for (const BenchBox& box : questions) prepared.emplace_back(box.question);
             };
-            BenchRow row = measure(boxes.size(), options, ask,
-                                   [&, &questions = boxes](std::size_t k) { return judge(questions[k], answers[k]); });
+            const auto ask = [&, &questions = boxes](std::size_t k) {
+                const std::vector<BenchPair>& pairs = questions[k].pairs;
+                for (std::size_t p = 0; p < pairs.size(); ++p)
+                    answers[k][p] = relate(set.scene, pairs[p].polygon, prepared[k], variant.arithmetic);
+            };
+            const auto judge_one = [&, &questions = boxes](std::size_t k) { return judge(questions[k], answers[k]); };
+            BenchRow row = measure(boxes.size(), options, ask, judge_one, prepare);
             row.question = "box", row.variant = variant.name, row.kind = kind;
             row.bytes = set.candidates->memory();
             kinds.push_back(std::move(row));
@@ -85,6 +93,21 @@ std::vector<BenchRow> bench_set(const std::string& folder, const BenchOptions& o
     bench_segments(set, options, rows);
     bench_embree(set, options, rows);
     return rows;
+}
+
+std::vector<BenchRow> bench_sets(const std::vector<std::string>& sets, const BenchOptions& options) {
+    std::vector<BenchRow> sums;
+    for (const std::string& set : sets)
+        for (const BenchRow& row : bench_set(set, options)) {
+            const auto same = std::find_if(sums.begin(), sums.end(), [&](const BenchRow& sum) {
+                return sum.question == row.question && sum.variant == row.variant && sum.kind == row.kind;
+            });
+            if (same == sums.end())
+                sums.push_back(row);
+            else
+                add_row(*same, row);
+        }
+    return sums;
 }
 
 BenchMachine bench_machine() {

@@ -38,8 +38,8 @@ void read_boxes(const std::string& folder, const BenchOptions& options, BenchSet
         for (; more && relation.box == row.box; more = relations.next(relation))
             pairs[relation.polygon] = {relation.polygon, relation.relation, relation.covers};
         if (!wanted) continue;
-        BenchBox entry{row.question, std::make_unique<Box>(row.question), {}};
-        for (const PolygonId id : candidates_of(set, *entry.box)) pairs.try_emplace(id, BenchPair{id});
+        BenchBox entry{row.question, {}};
+        for (const PolygonId id : candidates_of(set, Box(row.question))) pairs.try_emplace(id, BenchPair{id});
         for (const auto& [id, pair] : pairs) entry.pairs.push_back(pair);
         of_kind.push_back(std::move(entry));
     }
@@ -73,12 +73,13 @@ BenchSet read_bench_set(const std::string& folder, const BenchOptions& options) 
 }
 
 BenchRow measure(std::size_t count, const BenchOptions& options, const std::function<void(std::size_t)>& ask,
-                 const std::function<Outcome(std::size_t)>& judge) {
+                 const std::function<Outcome(std::size_t)>& judge, const std::function<void()>& prepare) {
     BenchRow row;
     row.questions = count;
     if (count == 0) return row;
     std::vector<double> times;
     for (int repetition = 0; repetition < std::max(1, options.repetitions); ++repetition) {
+        prepare();
         const auto begin = std::chrono::steady_clock::now();
         for (std::size_t k = 0; k < count; ++k) ask(k);
         const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - begin;
@@ -95,18 +96,20 @@ BenchRow measure(std::size_t count, const BenchOptions& options, const std::func
     return row;
 }
 
+void add_row(BenchRow& sum, const BenchRow& row) {
+    const auto before = static_cast<double>(sum.questions), added = static_cast<double>(row.questions);
+    const auto mean = [&](double a, double b) { return added == 0 ? a : (a * before + b * added) / (before + added); };
+    sum.nanoseconds_min = mean(sum.nanoseconds_min, row.nanoseconds_min);
+    sum.nanoseconds_median = mean(sum.nanoseconds_median, row.nanoseconds_median);
+    sum.questions += row.questions, sum.wrong += row.wrong, sum.undecided += row.undecided;
+    sum.bytes = std::max(sum.bytes, row.bytes);
+}
+
 void add_rows(std::vector<BenchRow>& rows, std::vector<BenchRow> kinds) {
+    if (kinds.empty()) return;
     BenchRow all;
-    for (const BenchRow& row : kinds) {
-        all.question = row.question, all.variant = row.variant, all.bytes = row.bytes;
-        all.questions += row.questions, all.wrong += row.wrong, all.undecided += row.undecided;
-        all.nanoseconds_min += row.nanoseconds_min * static_cast<double>(row.questions);
-        all.nanoseconds_median += row.nanoseconds_median * static_cast<double>(row.questions);
-    }
-    if (all.questions == 0) return;
-    all.kind = "all";
-    all.nanoseconds_min /= static_cast<double>(all.questions);
-    all.nanoseconds_median /= static_cast<double>(all.questions);
+    all.question = kinds.front().question, all.variant = kinds.front().variant, all.kind = "all";
+    for (const BenchRow& row : kinds) add_row(all, row);
     rows.push_back(all);
     rows.insert(rows.end(), kinds.begin(), kinds.end());
 }

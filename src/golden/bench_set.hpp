@@ -23,7 +23,6 @@ struct BenchPair {
 
 struct BenchBox {
     BoxQuestion question;
-    std::unique_ptr<Box> box;
     std::vector<BenchPair> pairs;  ///< Candidates, and whatever the set lists.
 };
 
@@ -44,10 +43,12 @@ BenchSet read_bench_set(const std::string& folder, const BenchOptions& options);
 /// What one question came out as.
 enum class Outcome : std::uint8_t { right, undecided, wrong };
 
-/// Asks `count` questions several times over. ask(k) decides question k and keeps the answer; judge(k) tells what it
-/// was worth, after the clock has stopped.
-BenchRow measure(std::size_t count, const BenchOptions& options, const std::function<void(std::size_t)>& ask,
-                 const std::function<Outcome(std::size_t)>& judge);
+/// Asks `count` questions several times over. Before each time, and before the clock starts, prepare() makes anew what
+/// the questions may keep; ask(k) decides question k and keeps the answer; judge(k) tells what it was worth, after the
+/// clock has stopped.
+BenchRow measure(
+    std::size_t count, const BenchOptions& options, const std::function<void(std::size_t)>& ask,
+    const std::function<Outcome(std::size_t)>& judge, const std::function<void()>& prepare = [] {});
 
 /// Rows of the variants in our own arithmetics, and of other people's code; each with the kinds and their sum.
 void bench_boxes(const BenchSet& set, const BenchOptions& options, std::vector<BenchRow>& rows);
@@ -56,6 +57,8 @@ void bench_cgal(const BenchSet& set, const BenchOptions& options, std::vector<Be
 /// Nothing where the program was built without Embree.
 void bench_embree(const BenchSet& set, const BenchOptions& options, std::vector<BenchRow>& rows);
 
+/// Adds one row's questions to those of a sum.
+void add_row(BenchRow& sum, const BenchRow& row);
 /// Adds the rows of one variant and their sum as kind "all".
 void add_rows(std::vector<BenchRow>& rows, std::vector<BenchRow> kinds);
 

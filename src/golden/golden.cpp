@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <optional>
 
 namespace cob {
@@ -87,22 +88,18 @@ void merge(const Shards& shards, std::uint64_t count, const std::string& folder,
     const std::vector<std::pair<std::string, std::string>> tables{
         table_and_header<BoxRow>(),     table_and_header<RelationRow>(), table_and_header<StateRow>(),
         table_and_header<SegmentRow>(), table_and_header<TagRow>(),      table_and_header<VisibilityRow>()};
-    std::vector<std::string> names{"scene.obj", "scene.mtl", "triangles.csv"};
-    std::vector<char> made(tables.size(), 0);
+    std::vector<std::optional<ManifestFile>> merged(tables.size());
     tbb::parallel_for(std::size_t{0}, tables.size(), [&](std::size_t k) {
-        made[k] = shards.merge(tables[k].first, tables[k].second, count, aside + "/" + tables[k].first);
+        merged[k] = shards.merge(tables[k].first, tables[k].second, count, aside + "/" + tables[k].first);
     });
+    for (const char* name : {"scene.obj", "scene.mtl", "triangles.csv"})
+        manifest.files[name] = describe_file(aside + "/" + name);
     for (std::size_t k = 0; k < tables.size(); ++k)
-        if (made[k]) names.push_back(tables[k].first);
-
-    std::vector<ManifestFile> files(names.size());
-    tbb::parallel_for(std::size_t{0}, names.size(),
-                      [&](std::size_t k) { files[k] = describe_file(aside + "/" + names[k]); });
-    for (std::size_t k = 0; k < names.size(); ++k) manifest.files[names[k]] = files[k];
+        if (merged[k]) manifest.files[tables[k].first] = *merged[k];
     write_manifest(aside + "/manifest.json", manifest);
 
-    names.push_back("manifest.json");
-    for (const std::string& name : names) move_file(aside + "/" + name, folder + "/" + name);
+    for (const auto& [name, file] : manifest.files) move_file(aside + "/" + name, folder + "/" + name);
+    move_file(aside + "/manifest.json", folder + "/manifest.json");
     shards.remove_all();
 }
 
@@ -152,6 +149,7 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     for (const std::string& other : options.merge) shards.take_from(other, plan.count());
     const ShardMaker maker(scene, *candidates, questions);
     result.finished = true;
+    std::future<void> writing;  // the shard before, while the next one is made
     for (std::uint64_t shard = 0; shard < plan.count(); ++shard) {
         if (options.progress) options.progress(shard, plan.count());
         if (shards.has(shard)) continue;
@@ -160,9 +158,12 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
             continue;
         }
         ShardMaker::Shard made = maker.make(plan.range(shard));
-        shards.put(shard, made.tables, std::move(made.counts));
+        if (writing.valid()) writing.get();
+        writing = std::async(std::launch::async,
+                             [&shards, shard, made = std::move(made)] { shards.put(shard, made.tables, made.counts); });
         ++result.made;
     }
+    if (writing.valid()) writing.get();
     if (result.finished) merge(shards, plan.count(), folder, text, parameters);
     return result;
 }

@@ -75,7 +75,9 @@ ExactPoint moved(const ExactPoint& point, const Move& move, double sign) {
     return ExactPoint(point.rational() + Rational(sign * factor) * (to_rational(move.a) - to_rational(move.b)));
 }
 
-bool stays(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility visibility, int k) {
+/// blocker: see VisibilityOracle.
+bool stays(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility visibility, int k,
+           PieceId& blocker) {
     const Point along = segment.to.nearest() - segment.from.nearest();
     const std::array<Move, 2> from = moves(scene, segment.from_piece, along, k);
     const std::array<Move, 2> to = moves(scene, segment.to_piece, along, k);
@@ -84,16 +86,18 @@ bool stays(const Scene& scene, const VisibilityOracle& oracle, const Segment& se
             Segment other = segment;
             other.from = moved(segment.from, from[way], sign);
             other.to = moved(segment.to, to[way], way == 0 ? sign : -sign);
-            if (oracle(other) != visibility) return false;
+            if (oracle(other, blocker) != visibility) return false;
         }
     return true;
 }
 
 }  // namespace
 
-int segment_band(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility visibility) {
+int segment_band(const Scene& scene, const VisibilityOracle& oracle, const Segment& segment, Visibility& visibility) {
+    PieceId blocker = -1;
+    visibility = oracle(segment, blocker);
     if (visibility == Visibility::grazing) return highest_band;
-    const auto holds = [&](int k) { return stays(scene, oracle, segment, visibility, k); };
+    const auto holds = [&](int k) { return stays(scene, oracle, segment, visibility, k, blocker); };
     if (holds(lowest_band)) return lowest_band;
     if (!holds(highest_band - 1)) return highest_band;
     int low = lowest_band + 1, high = highest_band - 1;

@@ -2,6 +2,7 @@
 
 #include "cob/error.hpp"
 #include "cob/files.hpp"
+#include "golden/sha256.hpp"
 
 #include <tbb/parallel_for_each.h>
 #include <unistd.h>
@@ -54,7 +55,27 @@ struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-void append_file(OutputFile& out, const std::string& path) {
+/// A file that is described while it is written.
+class DescribedFile {
+public:
+    explicit DescribedFile(const std::string& path) : file_(path) {}
+    void write(std::string_view text) {
+        file_.write(text);
+        hash_.update(text);
+        bytes_ += text.size();
+    }
+    ManifestFile commit() {
+        file_.commit();
+        return {bytes_, hash_.finish()};
+    }
+
+private:
+    OutputFile file_;
+    Sha256 hash_;
+    std::uint64_t bytes_ = 0;
+};
+
+void append_file(DescribedFile& out, const std::string& path) {
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) throw InputError("cannot open file", {path, 0, "", "run the same command again"});
     std::vector<char> block(std::size_t{1} << 20);
@@ -101,11 +122,12 @@ bool Shards::has(std::uint64_t shard) const {
     return true;
 }
 
-void Shards::put(std::uint64_t shard, const ShardTables& tables, std::map<std::string, std::int64_t> counts) const {
+void Shards::put(std::uint64_t shard, const ShardTables& tables,
+                 const std::map<std::string, std::int64_t>& counts) const {
     TemporaryFolder folder(path(shard));
     Manifest manifest;
     manifest.parameters = identity_;
-    manifest.counts = std::move(counts);
+    manifest.counts = counts;
     for (const auto& [name, text] : tables) manifest.files[name] = {};
     tbb::parallel_for_each(tables.begin(), tables.end(), [&](const auto& table) {
         const auto& [name, text] = table;
@@ -140,20 +162,17 @@ Manifest Shards::check(std::uint64_t shard) const {
     return manifest;
 }
 
-bool Shards::merge(const std::string& table, const std::string& header, std::uint64_t count,
-                   const std::string& to) const {
-    std::unique_ptr<OutputFile> out;
+std::optional<ManifestFile> Shards::merge(const std::string& table, const std::string& header, std::uint64_t count,
+                                          const std::string& to) const {
+    std::optional<DescribedFile> out;
     for (std::uint64_t shard = 0; shard < count; ++shard) {
         const std::string part = path(shard) + "/" + table;
         if (!fs::exists(part)) continue;
-        if (!out) {
-            out = std::make_unique<OutputFile>(to);
-            out->write(header + "\n");
-        }
+        if (!out) out.emplace(to).write(header + "\n");
         append_file(*out, part);
     }
-    if (out) out->commit();
-    return out != nullptr;
+    if (!out) return {};
+    return out->commit();
 }
 
 void Shards::remove_all() const {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ public:
     /// Whether the shard is there. Throws InputError where it was made otherwise, or is truncated.
     bool has(std::uint64_t shard) const;
     /// Appears at once and whole, or not at all. Throws InputError (disk full, ...).
-    void put(std::uint64_t shard, const ShardTables& tables, std::map<std::string, std::int64_t> counts) const;
+    void put(std::uint64_t shard, const ShardTables& tables, const std::map<std::string, std::int64_t>& counts) const;
     /// Takes over what another folder has finished and this one has not.
     void take_from(const std::string& set_folder, std::uint64_t count) const;
 
@@ -32,7 +33,8 @@ public:
     /// Checks every byte of a shard. Throws InputError.
     Manifest check(std::uint64_t shard) const;
     /// Joins one table of all shards that have it under its header; nothing where none has it.
-    bool merge(const std::string& table, const std::string& header, std::uint64_t count, const std::string& to) const;
+    std::optional<ManifestFile> merge(const std::string& table, const std::string& header, std::uint64_t count,
+                                      const std::string& to) const;
     /// Removes all shards, finished or not.
     void remove_all() const;
 

@@ -92,16 +92,34 @@ TEST_F(Interruption, KilledAtAnyMomentAndResumedGivesTheSameBytes) {
         const std::string set = folder_ / std::to_string(k);
         // Now and then twice in a row; spread over the whole run, the merge at its end included. The first at once:
         // how many of the others hit a running program is the machine's affair.
+        const std::string threads = k % 4 < 2 ? " --threads 1" : " --threads 2";
         for (int again = 0; again <= k % 2; ++again) {
             const int thousandths = killed == 0 ? 0 : static_cast<int>(engine() % 1000);
-            killed += kill_after(command(set), duration_ * thousandths / 1000);
+            killed += kill_after(command(set) + threads, duration_ * thousandths / 1000);
         }
         const std::size_t before = finished_shards(set);
-        ASSERT_EQ(run(command(set)), 0);
+        ASSERT_EQ(run(command(set) + threads), 0);
         EXPECT_EQ(bytes_of(set), expected) << "after a kill with " << before << " shards finished";
         fs::remove_all(set);
     }
     EXPECT_GT(killed, 0) << "no kill hit a running program";
+}
+
+// "Shards made by different machines merge to the same bytes": each half in a folder of its own, each killed once.
+TEST_F(Interruption, TwoMachinesKilledAndMergedGiveTheSameBytes) {
+    const auto expected = bytes_of(*whole_ / "set");
+    std::mt19937_64 engine(2);
+    for (int k = 0; k < (kills + 2) / 3; ++k) {
+        const std::string set = folder_ / ("set" + std::to_string(k)), other = folder_ / ("other" + std::to_string(k));
+        for (const auto& [folder, part] : {std::pair{set, " --shard 1/2"}, std::pair{other, " --shard 2/2"}}) {
+            kill_after(command(folder) + part, duration_ * static_cast<int>(engine() % 500) / 1000);
+            ASSERT_EQ(run(command(folder) + part), 0);
+            EXPECT_FALSE(fs::exists(folder + "/manifest.json")) << "half a set must not look like a whole one";
+        }
+        kill_after(command(set) + " --merge " + other, duration_ * static_cast<int>(engine() % 500) / 1000);
+        ASSERT_EQ(run(command(set) + " --merge " + other), 0);
+        EXPECT_EQ(bytes_of(set), expected);
+    }
 }
 
 TEST_F(Interruption, FullDiskIsAClearErrorAndLosesNothingFinished) {

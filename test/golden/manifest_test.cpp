@@ -3,6 +3,7 @@
 
 #include "cob/error.hpp"
 #include "cob/files.hpp"
+#include "golden/sha256.hpp"
 #include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,21 @@ TEST(Sha256, PublishedVectors) {
     EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
               "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
     EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+// Both ways to compute it, whatever the processor: lengths around the block's end, in parts that end anywhere.
+TEST(Sha256, ProcessorsInstructionsAndPlainCodeAgree) {
+    if (sha256_compress_of_processor() == nullptr) GTEST_SKIP() << "no such instructions here";
+    std::string bytes(1000, '\0');
+    for (std::size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<char>(k * 2654435761u >> 13);
+    for (std::size_t size = 0; size <= bytes.size(); ++size) {
+        const std::string_view whole(bytes.data(), size);
+        Sha256 plain(sha256_compress), other(sha256_compress_of_processor());
+        plain.update(whole);
+        other.update(whole.substr(0, size / 3));
+        other.update(whole.substr(size / 3));
+        ASSERT_EQ(plain.finish(), other.finish()) << size;
+    }
 }
 
 TEST(DescribeFile, ReadsInBlocksWhatSha256SeesWhole) {
