@@ -32,6 +32,8 @@ ManifestFile describe_file(const std::string& path);
 
 /// Throws InputError where the file cannot be read, is no manifest or is of another format.
 Manifest read_manifest(const std::string& path);
+/// That of a whole set; a folder without one holds none. Throws InputError.
+Manifest read_set_manifest(const std::string& folder);
 void write_manifest(const std::string& path, const Manifest& manifest);
 /// Throws InputError at the first file of the manifest that is missing in the folder or differs from it.
 void check_files(const std::string& folder, const Manifest& manifest);

@@ -2,6 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "cli/whole_number.hpp"
 #include "cob/error.hpp"
 
 #include <charconv>
@@ -32,7 +33,7 @@ void parse_shard(const std::string& text, GoldenOptions& options) {
 }
 
 void print(const SnapReport& report, const GoldenParameters& parameters) {
-    std::printf("snapped to multiples of 2^-%d%s: %zu vertices moved, at most by %.3g\n", report.grid,
+    std::printf("snapped to multiples of 2^%d%s: %zu vertices moved, at most by %.3g\n", -report.grid,
                 parameters.binary32 ? " (binary32)" : "", report.moved, report.largest_move);
     if (!report.not_planar.empty()) std::printf("%zu polygons are no longer planar\n", report.not_planar.size());
     for (const std::int32_t id : report.now_invalid) std::printf("polygon %d became invalid\n", id);
@@ -73,12 +74,16 @@ void add_golden(CLI::App& app) {
     command->add_option("--margin", p.margin, "Boxes: widened by this fraction on each side")->group("Questions");
     command->add_option("--height", p.height, "Boxes: height as a fraction of the shorter side")->group("Questions");
     command->add_option("--segments", p.segments, "Segments between sample points of elements and lights")
+        ->check(whole_number())
         ->group("Questions");
     command->add_option("--hard", p.hard, "So many boxes and so many segments aimed at the degenerate")
+        ->check(whole_number())
         ->group("Questions");
     command->add_option("--kinds", arguments->kinds, "Kinds of the hard questions, separated by commas; none: all")
         ->group("Questions");
-    command->add_option("--seed", p.seed, "Of sample points and hard questions")->group("Questions");
+    command->add_option("--seed", p.seed, "Of sample points and hard questions")
+        ->check(whole_number())
+        ->group("Questions");
     command->add_option("--grid", p.grid, "Snap the scene to multiples of 2^-K: all numbers are binary64")
         ->type_name("K")
         ->group("Questions");
@@ -95,8 +100,12 @@ void add_golden(CLI::App& app) {
         ->type_name("i/n")
         ->group("Work");
     command->add_option("--merge", o.merge, "Take over the finished shards of these folders")->group("Work");
-    command->add_option("--shard-size", o.shard_size, "Questions in memory at once")->group("Work");
-    command->add_option("--threads", o.threads, "Threads; 0: all")->group("Work");
+    command
+        ->add_option("--shard-size", o.shard_size,
+                     "Questions in memory at once; the next shard is made while one is written")
+        ->check(whole_number())
+        ->group("Work");
+    command->add_option("--threads", o.threads, "Threads; 0: all")->check(CLI::Range(0, 1024))->group("Work");
     command->footer("The same command gives the same bytes, whatever the options under Work. After a kill, repeat it.");
     command->callback([arguments] { run(*arguments); });
 }

@@ -7,6 +7,21 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
+
+namespace {
+
+/// What is no option stands for a command.
+void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == word) return;
+        names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    if (word.front() != '-') throw cob::InputError("unknown command", {"", 0, word, "choose one of " + names});
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app{"cob: the exact reference for the Close Object Buffer", "cob"};
@@ -26,6 +41,7 @@ int main(int argc, char** argv) {
     cob::cli::add_study(app);
     cob::cli::add_verify(app);
     try {
+        if (argc > 1 && *argv[1] != '\0') refuse_unknown_command(app, argv[1]);
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::ParseError& error) {

@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/whole_number.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/golden.hpp"
@@ -65,7 +66,8 @@ void add_verify(CLI::App& app) {
                      "its segment with the ends moved by as much, has the same answers: 52 is on a switch")
         ->check(CLI::Range(0, 53));
     command->add_option("--hit", arguments->hit, "Relations that close = 1 stands for, separated by commas");
-    command->add_option("--list", arguments->options.listed, "Disagreements to describe, of each table");
+    command->add_option("--list", arguments->options.listed, "Disagreements to describe, of each table")
+        ->check(whole_number());
     command->add_option("--junit", arguments->junit, "Write a JUnit report to this file");
     command->add_option("--json", arguments->json, "Write all counts to this file as JSON");
     command->footer("Exit code: 0 all answers agree, 1 some disagree or are missing, 2 bad input.");

@@ -60,7 +60,7 @@ void read_segments(const std::string& folder, const BenchOptions& options, Bench
 }  // namespace
 
 BenchSet read_bench_set(const std::string& folder, const BenchOptions& options) {
-    check_files(folder, read_manifest(folder + "/manifest.json"));
+    check_files(folder, read_set_manifest(folder));
     BenchSet set{read_obj(folder + "/scene.obj", {true, false}), {}, {}, {}};
     set.candidates = make_candidates(set.scene, Source::cgal);
     try {

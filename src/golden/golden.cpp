@@ -17,6 +17,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <future>
 #include <optional>
@@ -25,14 +26,22 @@ namespace cob {
 
 namespace {
 
+constexpr std::uint64_t most_questions = 1'000'000'000'000;  ///< Of one sort: nobody has room for more.
+
 void check_ranges(const GoldenParameters& p, const GoldenOptions& options) {
-    const auto refuse = [](const char* problem, const std::string& value, const char* remedy) {
+    const auto refuse = [](const char* problem, const std::string& value, const std::string& remedy) {
         throw InputError(problem, {"", 0, value, remedy});
     };
     if (p.level < 0 || p.level > 12) refuse("level out of range", std::to_string(p.level), "choose 0 to 12");
-    if (p.edge && !(*p.edge > 0)) refuse("edge must be positive", to_text(*p.edge), "choose a length");
-    if (!(p.margin >= 0)) refuse("margin must not be negative", to_text(p.margin), "choose 0 or more");
-    if (!(p.height > 0)) refuse("height must be positive", to_text(p.height), "choose more than 0");
+    if (p.edge && !(*p.edge > 0 && std::isfinite(*p.edge)))
+        refuse("edge must be positive and finite", to_text(*p.edge), "choose a length");
+    if (!(p.margin >= 0 && std::isfinite(p.margin)))
+        refuse("margin must not be negative or infinite", to_text(p.margin), "choose 0 or more");
+    if (!(p.height > 0 && std::isfinite(p.height)))
+        refuse("height must be positive and finite", to_text(p.height), "choose more than 0");
+    for (const std::uint64_t count : {p.segments, p.hard})
+        if (count > most_questions)
+            refuse("too many questions", std::to_string(count), "choose at most " + std::to_string(most_questions));
     if (p.grid && std::abs(*p.grid) > 1000)
         refuse("grid out of range", std::to_string(*p.grid), "choose -1000 to 1000");
     if (!p.boxes && p.segments == 0 && p.hard == 0) refuse("nothing to ask", "", "ask for boxes, --segments or --hard");

@@ -51,6 +51,14 @@ ManifestFile describe_file(const std::string& path) {
     return result;
 }
 
+Manifest read_set_manifest(const std::string& folder) {
+    const std::string path = (std::filesystem::path(folder) / "manifest.json").string();
+    if (!std::filesystem::exists(path))
+        throw InputError("no golden set, manifest.json is missing",
+                         {folder, 0, "", "name the folder of a set that `cob golden` has finished"});
+    return read_manifest(path);
+}
+
 Manifest read_manifest(const std::string& path) {
     const std::string text = read_file(path);
     Manifest manifest;
@@ -87,6 +95,7 @@ void write_manifest(const std::string& path, const Manifest& manifest) {
 void check_files(const std::string& folder, const Manifest& manifest) {
     for (const auto& [name, expected] : manifest.files) {
         const std::string path = (std::filesystem::path(folder) / name).string();
+        if (!std::filesystem::exists(path)) refuse(path, "file of the set is missing", "");
         const ManifestFile found = describe_file(path);
         if (found.bytes != expected.bytes)
             refuse(path, "size differs from the manifest's " + std::to_string(expected.bytes),

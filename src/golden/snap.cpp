@@ -82,7 +82,7 @@ void refuse_new_invalid(const SnapReport& report, const Scene& after) {
     std::string reason;
     for (const InvalidPolygon& invalid : after.invalid())
         if (invalid.polygon == first) reason = invalid.reason;
-    throw InputError("snapping to multiples of 2^-" + std::to_string(report.grid) + " makes " +
+    throw InputError("snapping to multiples of 2^" + std::to_string(-report.grid) + " makes " +
                          std::to_string(report.now_invalid.size()) + " polygons invalid, polygon " +
                          std::to_string(first) + " by " + reason,
                      {after.name(), after.polygon(first).line, "", "choose a finer --grid or give --skip-invalid"});

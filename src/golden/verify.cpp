@@ -15,8 +15,7 @@ verify::Report verify_answers(const std::string& set, const std::string& answers
     try {
         // Reading, hashing and comparing go side by side: none of them needs the others.
         auto segments = std::async(std::launch::async, [&] { return verify::compare_segments(set, answers, options); });
-        auto checksums =
-            std::async(std::launch::async, [&] { check_files(set, read_manifest(set + "/manifest.json")); });
+        auto checksums = std::async(std::launch::async, [&] { check_files(set, read_set_manifest(set)); });
         std::exception_ptr error;
         verify::Report report;
         try {

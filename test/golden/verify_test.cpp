@@ -209,7 +209,7 @@ TEST_F(Verify, BadInputIsNamedAndIsNoDisagreement) {
     };
     const Row rows[] = {
         {"relations.csv", "box,polygon,relation\n0,1,crossing\n", "relations.csv:1: wrong header"},
-        {"relations.csv", "", "relations.csv:0: empty table"},
+        {"relations.csv", "", "relations.csv: empty table"},
         {"relations.csv", "box,polygon,relation,covers,shared\n0,1,crossing,1,none\n0,2,bounda",
          "relations.csv:3: line without its end"},
         {"relations.csv", "box,polygon,relation,covers,shared\n0,1,crossing\n", "relations.csv:2: row of 3 fields"},

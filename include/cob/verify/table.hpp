@@ -48,7 +48,7 @@ public:
     Table(std::string path, std::vector<std::string> headers)
         : path_(std::move(path)), file_(path_, std::ios::binary), buffer_(std::size_t{1} << 18) {
         if (!file_) throw Error(path_ + ": cannot open file: check the path");
-        if (!read_line()) fail("empty table", "", "the first line is " + headers.front());
+        if (!read_line()) throw Error(path_ + ": empty table: the first line is " + headers.front());
         for (header_ = 0; header_ < headers.size(); ++header_)
             if (line_ == headers[header_]) break;
         if (header_ == headers.size()) {
