@@ -8,6 +8,15 @@ namespace {
 // Measured: where a buffer around elements costs as much as it spares.
 constexpr std::size_t longest_list = 64, most_an_element = 4;
 
+/// Whether elements are built from this buffer around them. Boxes nest: what meets the box of an element meets the box
+/// around it. An occluded buffer stores no polygons and is only a hint (SPEC 5); of a long list the scene's tree finds
+/// the few that matter faster.
+template <class Around>
+bool hands_down(const Around* around) {
+    return around != nullptr && around->found.state != BufferState::uninitialised &&
+           around->found.state != BufferState::occluded && around->candidates.size() <= longest_list;
+}
+
 }  // namespace
 
 ClassifyStatistics& ClassifyStatistics::operator+=(const ClassifyStatistics& other) {
@@ -66,7 +75,17 @@ void ElementClassifier::renew_around(std::uint64_t number) {
             here.element = wanted_[depth_];
             const Box box(box_question(elements_.scene(), elements_.root_of(here.element), here.element,
                                        options_.buffer.margin, options_.buffer.height));
-            classify(box, depth_ > 0 ? &around_[depth_ - 1] : nullptr, here.found, inherits_);
+            const Around* const outer = depth_ > 0 ? &around_[depth_ - 1] : nullptr;
+            if (strict && !hands_down(outer)) {
+                // Of many polygons no list would be used, so it is not made: the buffer stays uninitialised.
+                if (!classifier_.from_scene(box, source_, longest_list, here.found)) {
+                    here.found.state = BufferState::uninitialised;
+                    continue;
+                }
+                statistics_.tested += here.found.tested;
+            } else {
+                classify(box, outer, here.found, inherits_);
+            }
             ++statistics_.around;
             take_candidates(here);
         }
@@ -114,9 +133,7 @@ void ElementClassifier::take_candidates(Around& around) const {
 }
 
 void ElementClassifier::classify(const Box& box, const Around* around, Classification& found, bool compared) {
-    // Boxes nest: what meets the box of an element meets the box around it. An occluded buffer stores no polygons
-    // and is only a hint (SPEC 5); in a long list the tree finds its few faster.
-    if (around == nullptr || around->found.state == BufferState::occluded || around->candidates.size() > longest_list)
+    if (!hands_down(around))
         classifier_.from_scene(box, source_, found);
     else
         classifier_.among(box, {around->candidates.data(), around->candidates.data() + around->candidates.size()},
