@@ -62,7 +62,8 @@ struct ClaimOptions {
 
 /// The ids in the order of the table.
 std::vector<std::string> claim_ids();
-/// Measures claims, all where no id is given. Throws InputError for an id that is none, or where a scene cannot be read.
+/// Measures claims, all where no id is given. Throws InputError for an id that is none, or where a scene cannot be
+/// read.
 std::vector<ClaimResult> measure_claims(const std::vector<std::string>& ids, const ClaimOptions& options);
 
 }  // namespace cob

@@ -64,12 +64,13 @@ StudyReference study_transport_reference(const Scene& scene, std::size_t points,
 
 /// What one run is made with.
 struct StudySettings {
-    std::string series;  ///< "budget", "threshold", "initial mesh", "height", "margin".
+    std::string series;  ///< "budget", "threshold", "receiving points", "initial mesh", "height", "margin".
     Refinement refinement = Refinement::none;
-    double patch_edge = 0;    ///< Scene units.
-    double light_edge = 0;    ///< Of the lights' patches, scene units; 0: patch_edge.
-    double minimum_edge = 0;  ///< Of the buffer and of gradients, scene units.
-    double threshold = 0.25;  ///< Of gradients.
+    double patch_edge = 0;     ///< Scene units.
+    double light_edge = 0;     ///< Of the lights' patches, scene units; 0: patch_edge.
+    double minimum_edge = 0;   ///< Of the buffer and of gradients, scene units.
+    double threshold = 0.25;   ///< Of gradients.
+    int receiving_points = 1;  ///< Of an element: 1, 4 or 16.
     Rational margin = Rational(1, 8), height = Rational(1, 4);
 
     /// Names the settings; fit for a file name.
@@ -78,8 +79,8 @@ struct StudySettings {
 const char* to_text(Refinement refinement);
 
 /// Uniform, gradient, buffer and both over budgets that halve the smallest edge (those that refine once more often than
-/// uniform); then the gradient's threshold, the initial mesh, the height and the margin. Lights are cut alike in all
-/// runs of direct light.
+/// uniform); then the gradient's threshold, the receiving points, the initial mesh, the height and the margin. Lights
+/// are cut alike in all runs of direct light.
 std::vector<StudySettings> study_plan(const Scene& scene, StudyLight light, int budgets);
 
 struct StudyErrors {

@@ -66,7 +66,9 @@ void MeshingOptions::set(BufferOptions& options) const {
 }
 
 void SourceOption::add_to(CLI::App& command) {
-    command.add_option("--source", name, "Where candidates come from: a CGAL AABB tree, Embree, an octree, or all polygons")
+    command
+        .add_option("--source", name,
+                    "Where candidates come from: a CGAL AABB tree, Embree, an octree, or all polygons")
         ->check(CLI::IsMember({"cgal", "embree", "octree", "all"}));
 }
 

@@ -41,7 +41,8 @@ struct MeshVertex {
 
 class Mesh {
 public:
-    /// Patches as SPEC 3 cuts them, every side at most patch_edge, of lights light_edge (scene units); patch k is node k.
+    /// Patches as SPEC 3 cuts them, every side at most patch_edge, of lights light_edge (scene units); patch k is node
+    /// k.
     Mesh(const Scene& scene, const Roots& roots, double patch_edge, double light_edge);
 
     const Scene& scene() const { return scene_; }

@@ -9,6 +9,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace cob {
@@ -127,6 +128,9 @@ RunRecord Bench::run(const Scene& scene, const RadiosityOptions& options) {
         if (!solver.step()) break;
         record.shot_elements.push_back(elements);
         record.shot_seconds.push_back(solver.times().total() - before);
+        record.shot_nodes.push_back(static_cast<std::int64_t>(solver.mesh().nodes().size()));
+        const std::array<std::int64_t, 4>& built = solver.counters().buffers;
+        record.shot_buffers.push_back(std::accumulate(built.begin(), built.end(), std::int64_t{0}));
         before = solver.times().total();
         if (options_.progress) options_.progress(done_, 0);
     }
@@ -142,22 +146,32 @@ RunRecord Bench::run(const Scene& scene, const RadiosityOptions& options) {
     return record;
 }
 
-RunRecord Bench::buffer_run(const std::string& name) {
+const RunRecord& Bench::run_once(const std::string& name, const Scene& scene, const RadiosityOptions& options) {
     const auto known = runs_.find(name);
-    if (known != runs_.end()) return known->second;
+    return known != runs_.end() ? known->second : runs_.emplace(name, run(scene, options)).first->second;
+}
+
+const RunRecord& Bench::buffer_run(const std::string& name) {
     RadiosityOptions options;
     options.refinement = Refinement::buffer;
     options.threads = options_.threads;
-    options.stop.shots = quick() ? 30 : 100;
+    options.stop.shots = quick() ? 30 : 300;
     if (quick()) {
         options.patch_edge = edge(scene(name), 6);
         options.buffer.minimum_edge = options.patch_edge / 8;
     }
-    return runs_.emplace(name, run(scene(name), options)).first->second;
+    return run_once(name, scene(name), options);
+}
+
+const StudyReference& Bench::reference(const std::string& name, std::size_t points) {
+    const std::string key = name + " " + std::to_string(points);
+    const auto known = references_.find(key);
+    if (known != references_.end()) return known->second;
+    return references_.emplace(key, study_reference(scene(name), points, options_.progress)).first->second;
 }
 
 StudyRun Bench::study(const Scene& scene, const StudyReference& reference, Refinement refinement, double patch_edge,
-                      double minimum_edge, const Rational& height) {
+                      double minimum_edge, const Rational& height, int repeats) {
     StudySettings settings;
     settings.series = "claim";
     settings.refinement = refinement;
@@ -165,7 +179,7 @@ StudyRun Bench::study(const Scene& scene, const StudyReference& reference, Refin
     settings.light_edge = edge(scene, 12);
     settings.minimum_edge = minimum_edge;
     settings.height = height;
-    StudyRun run = study_run(scene, reference, settings, 3, options_.threads, options_.progress);
+    StudyRun run = study_run(scene, reference, settings, quick() ? 1 : repeats, options_.threads, options_.progress);
     tick();
     return run;
 }

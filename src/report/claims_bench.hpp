@@ -16,7 +16,8 @@ namespace cob::claims {
 /// A run under full transport, and what claims ask of it.
 struct RunRecord {
     std::vector<double> shot_seconds;
-    std::vector<std::int64_t> shot_elements;  ///< Before each shot.
+    std::vector<std::int64_t> shot_elements;             ///< Before each shot.
+    std::vector<std::int64_t> shot_nodes, shot_buffers;  ///< Elements of all levels and buffers built, after it.
     RadiosityCounters counters;
     RadiosityTimes times;
     std::size_t elements = 0, nodes = 0, buffers = 0, buffer_bytes = 0, occluded = 0;
@@ -41,17 +42,22 @@ public:
     /// Takes shots until a stop is reached.
     void solve(RadiositySolver& solver);
     RunRecord run(const Scene& scene, const RadiosityOptions& options);
-    /// 100 shots with the buffer on a shipped scene (30, on larger patches, where it is to be quick).
-    RunRecord buffer_run(const std::string& name);
+    /// The same, kept under a name: several claims may be about one run.
+    const RunRecord& run_once(const std::string& name, const Scene& scene, const RadiosityOptions& options);
+    /// 300 shots, as many as the paper's, with the buffer on a shipped scene; 30, on larger patches, where it is quick.
+    const RunRecord& buffer_run(const std::string& name);
     /// One run of a study of direct light; light patches of a fixed size.
     StudyRun study(const Scene& scene, const StudyReference& reference, Refinement refinement, double patch_edge,
-                   double minimum_edge, const Rational& height = Rational(1, 4));
+                   double minimum_edge, const Rational& height = Rational(1, 4), int repeats = 1);
+    /// Points and exact light of a shipped scene, made once.
+    const StudyReference& reference(const std::string& name, std::size_t points);
 
 private:
     const ClaimOptions& options_;
     std::uint64_t done_ = 0;
     std::map<std::string, Scene> scenes_;
     std::map<std::string, RunRecord> runs_;
+    std::map<std::string, StudyReference> references_;
 };
 
 /// The pencil on the desk: a scene of what is around it with the lights, and where its shadow falls.

@@ -146,16 +146,20 @@ void neighbours_alike(Bench& bench, ClaimResult& result) {
                 alike += jaccard(lists[child], lists[other]);
             }
         }
-        ClaimCase c;
-        c.scene = s.name;
-        c.value = with_list > 0 ? alike / static_cast<double>(with_list) : 1;
-        c.holds = c.value >= 0.5;
-        c.measured = text(
-            "of %llu pairs %.1f %% have one state; where one of them stores polygons they share %.0f %% of "
-            "them on average (%llu pairs)",
-            static_cast<unsigned long long>(pairs), 100 * static_cast<double>(same_state) / static_cast<double>(pairs),
-            100 * c.value, static_cast<unsigned long long>(with_list));
-        result.cases.push_back(std::move(c));
+        ClaimCase by_state;
+        by_state.scene = s.name + ", states";
+        by_state.value = static_cast<double>(same_state) / static_cast<double>(pairs);
+        by_state.holds = by_state.value >= 0.8;
+        by_state.measured =
+            text("%.1f %% of %llu pairs have one state", 100 * by_state.value, static_cast<unsigned long long>(pairs));
+        result.cases.push_back(std::move(by_state));
+        ClaimCase by_list;
+        by_list.scene = s.name + ", lists";
+        by_list.value = with_list > 0 ? alike / static_cast<double>(with_list) : 1;
+        by_list.holds = by_list.value >= 0.5;
+        by_list.measured = text("of %llu pairs that store polygons each shares %.0f %% of them on average",
+                                static_cast<unsigned long long>(with_list), 100 * by_list.value);
+        result.cases.push_back(std::move(by_list));
         bench.tick();
     }
 }
@@ -280,8 +284,8 @@ std::vector<Claim> buffer_claims() {
          "Time of one thread for the states of all elements: two levels take the least.",
          "there are few polygons around each root; not on one large floor under many details", two_levels},
         {"neighbours", "Neighbouring elements have similar buffers.", "section 7",
-         "Siblings that store polygons share half of them or more on average.", "elements are small beside the details",
-         neighbours_alike},
+         "Of siblings 80 % have one state; where one stores polygons they share half of them on average.",
+         "states are meant: of the polygons that they store neighbours share less than half", neighbours_alike},
         {"cover-test", "The test for total occlusion costs virtually nothing.", "figure 4",
          "It adds at most 10 % to the time of the relations.", "few candidates are close", cover_test},
         {"sheets", "A sheet that lies on a table costs one attempt for each element under it.", "figure 4",

@@ -22,8 +22,7 @@ std::size_t points(const Bench& bench) {
 ErrorScene shipped(Bench& bench, const std::string& name) {
     const Scene& scene = bench.scene(name);
     const double patch = bench.edge(scene, 12);
-    return {name, &scene, study_reference(scene, points(bench), bench.options().progress), patch,
-            patch / (bench.quick() ? 4 : 16)};
+    return {name, &scene, bench.reference(name, points(bench)), patch, patch / (bench.quick() ? 4 : 16)};
 }
 
 /// The pencil is kept by the caller.
@@ -47,7 +46,8 @@ void detail_shadows(Bench& bench, ClaimResult& result) {
     scenes.push_back(pencil_scene(bench, pencil));
     for (const ErrorScene& s : scenes) {
         const StudyRun none = bench.study(*s.scene, s.reference, Refinement::none, s.patch, s.least);
-        const StudyRun buffer = bench.study(*s.scene, s.reference, Refinement::buffer, s.patch, s.least);
+        const StudyRun buffer =
+            bench.study(*s.scene, s.reference, Refinement::buffer, s.patch, s.least, Rational(1, 4), 3);
         const StudyRun uniform = bench.study(*s.scene, s.reference, Refinement::none, s.least, s.least);
         ClaimCase c;
         c.scene = s.name;
@@ -150,7 +150,7 @@ void height_steers(Bench& bench, ClaimResult& result) {
     ClaimPlot plot{"Height of the box", "height, share of the shorter extent", "elements", true, true, {}};
     for (const std::string& name : bench.names({"figure2", "figure4", "figure6", "open_box", "desk"}, 3)) {
         const Scene& scene = bench.scene(name);
-        const StudyReference reference = study_reference(scene, 50, bench.options().progress);
+        const StudyReference& reference = bench.reference(name, 50);
         const double patch = bench.edge(scene, 12);
         ClaimCase c;
         c.scene = name;

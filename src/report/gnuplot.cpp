@@ -29,6 +29,8 @@ const char* style_name(Curve::Style style) {
             return "lines lw 1.5";
         case Curve::Style::lines_and_points:
             return "linespoints pt 7 ps 0.7 lw 1.5";
+        case Curve::Style::dashed:
+            return "lines lw 1.5 dt 2";
     }
     return "points";
 }
@@ -81,7 +83,8 @@ std::string gnuplot_script(const Plot& plot, const std::string& terminal, const 
         if (rows.empty()) continue;
         script += block + " << EOD\n" + rows + "EOD\n";
         commands += (commands.empty() ? "plot " : ", ") + block + " using 1:2 with " + style_name(curve.style) +
-                    " lc " + std::to_string(k + 1) + " title " + quoted(curve.title);
+                    " lc " + (curve.style == Curve::Style::dashed ? "rgb '#000000'" : std::to_string(k + 1)) +
+                    " title " + quoted(curve.title);
     }
     // An empty plot is an error to gnuplot; an empty frame says as much.
     script += commands.empty() ? "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n" : commands + "\n";

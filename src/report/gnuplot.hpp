@@ -11,7 +11,7 @@ namespace cob::report {
 
 /// One series of points.
 struct Curve {
-    enum class Style { points, lines, lines_and_points };
+    enum class Style { points, lines, lines_and_points, dashed };  ///< Dashed ones are black.
 
     std::string title;
     std::vector<std::array<double, 2>> points;  ///< (x, y); points that are not finite are left out.

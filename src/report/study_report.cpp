@@ -31,9 +31,10 @@ std::string percent(double share) {
 }
 
 Table table_of(const std::vector<StudyRun>& runs) {
-    Table table{{"refinement", "patch edge", "smallest edge", "threshold", "margin", "height", "elements", "shots",
-                 "segments", "time, ms (least)", "time, ms (median)", "peak, kB", "L1 %", "L2 %", "largest %",
-                 "band L1 %", "band L2 %", "band largest %", "on a front"},
+    Table table{{"refinement",     "patch edge", "smallest edge", "threshold", "points",           "margin",
+                 "height",         "elements",   "shots",         "segments",  "time, ms (least)", "time, ms (median)",
+                 "peak, kB",       "L1 %",       "L2 %",          "largest %", "band L1 %",        "band L2 %",
+                 "band largest %", "on a front"},
                 {}};
     // Runs of which there is no error in the band are no part of that front.
     std::vector<std::array<double, 2>> pairs, band_pairs;
@@ -49,6 +50,7 @@ Table table_of(const std::vector<StudyRun>& runs) {
                                        number("%.4g", run.settings.patch_edge),
                                        number("%.4g", run.settings.minimum_edge),
                                        number("%.4g", run.settings.threshold),
+                                       std::to_string(run.settings.receiving_points),
                                        to_text(run.settings.margin),
                                        to_text(run.settings.height)};
         for (const std::int64_t count : {run.elements, run.shots, run.segments}) cells.push_back(std::to_string(count));
@@ -77,7 +79,8 @@ Table bar_table(const std::vector<StudyBar>& bars) {
         if (bar.reached) {
             const StudySettings& s = bar.reached->settings;
             cells.push_back(std::string(to_text(s.refinement)) + ", smallest edge " + number("%.4g", s.minimum_edge) +
-                            ", threshold " + number("%.4g", s.threshold));
+                            ", threshold " + number("%.4g", s.threshold) +
+                            (s.receiving_points > 1 ? ", " + std::to_string(s.receiving_points) + " points" : ""));
             cells.push_back(std::to_string(bar.reached->elements));
             cells.push_back(number("%.2f", 1e3 * bar.reached->seconds_median));
             cells.push_back(number("%.1f", bar.elements_ratio));
@@ -113,7 +116,7 @@ bool draw_budgets(const std::vector<StudyRun>& runs, bool in_band, bool against_
     }
     Curve front;
     front.title = "Pareto front";
-    front.style = Curve::Style::lines;
+    front.style = Curve::Style::dashed;
     const std::vector<bool> on_front = pareto_front(all);
     for (std::size_t i = 0; i < all.size(); ++i)
         if (on_front[i]) front.points.push_back(all[i]);
@@ -145,13 +148,15 @@ std::string about(const StudyResults& results) {
            number("%.3g", results.reference.band_width) + " of where another share of a light is seen.";
 }
 
-constexpr std::array<const char*, 5> series_names{"budget", "threshold", "initial mesh", "height", "margin"};
+constexpr std::array<const char*, 6> series_names{"budget",       "threshold", "receiving points",
+                                                  "initial mesh", "height",    "margin"};
 
 }  // namespace
 
 std::string study_csv(const StudyResults& results) {
     std::string text =
-        "series,refinement,patch_edge,light_edge,minimum_edge,threshold,margin,height,elements,shots,segments,"
+        "series,refinement,patch_edge,light_edge,minimum_edge,threshold,receiving_points,margin,height,elements,shots,"
+        "segments,"
         "form_factors,buffers,peak_bytes,seconds_least,seconds_median,l1,l2,largest,band_fine,band_coarse,smooth_fine,"
         "smooth_coarse,band_l1,band_l2,band_largest\n";
     for (const StudyRun& run : results.runs) text += to_line(run) + "\n";

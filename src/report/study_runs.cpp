@@ -65,6 +65,7 @@ RadiosityOptions options_of(const StudySettings& settings, const StudyReference&
     options.buffer.minimum_edge = settings.minimum_edge;
     options.gradient.minimum_edge = settings.minimum_edge;
     options.gradient.threshold.fill(settings.threshold);
+    options.receiving_points = settings.receiving_points;
     options.stop.shots = std::numeric_limits<std::int64_t>::max();
     options.threads = threads;
     if (reference.light == StudyLight::direct) {
@@ -119,7 +120,8 @@ const char* to_text(Refinement refinement) {
 std::string StudySettings::key() const {
     std::string text = series + "_" + to_text(refinement) + "_patch" + to_text(patch_edge) + "_light" +
                        to_text(light_edge) + "_least" + to_text(minimum_edge) + "_threshold" + to_text(threshold) +
-                       "_margin" + to_text(margin) + "_height" + to_text(height);
+                       "_points" + std::to_string(receiving_points) + "_margin" + to_text(margin) + "_height" +
+                       to_text(height);
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '/' || c == ' ' || c == ','; }, '-');
     return text;
@@ -159,7 +161,7 @@ std::string to_line(const StudyRun& run) {
     const StudySettings& s = run.settings;
     std::string line = s.series + "," + to_text(s.refinement);
     for (const double value : {s.patch_edge, s.light_edge, s.minimum_edge, s.threshold}) line += "," + to_text(value);
-    line += "," + to_text(s.margin) + "," + to_text(s.height);
+    line += "," + std::to_string(s.receiving_points) + "," + to_text(s.margin) + "," + to_text(s.height);
     for (const std::int64_t count : {run.elements, run.shots, run.segments, run.form_factors, run.buffers,
                                      static_cast<std::int64_t>(run.peak_bytes)})
         line += "," + std::to_string(count);
@@ -178,7 +180,7 @@ std::optional<StudyRun> study_run_from_line(const std::string& line, const Study
     // The settings must be these, to the letter; what follows are numbers, the last three of them or none.
     const std::string whole = to_line(run);
     std::size_t end = 0;
-    for (int comma = 0; comma < 8; ++comma) end = whole.find(',', end) + 1;
+    for (int comma = 0; comma < 9; ++comma) end = whole.find(',', end) + 1;
     if (line.compare(0, end, whole, 0, end) != 0) return std::nullopt;
     std::string rest = line.substr(end);
     const std::string no_band = ",,,";
