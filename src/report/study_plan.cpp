@@ -43,6 +43,11 @@ std::vector<StudySettings> study_plan(const Scene& scene, StudyLight light, int 
         for (const Refinement refinement : refined) add("initial mesh", refinement, edge, least);
     for (const int divisor : {16, 8, 4, 2, 1})
         add("height", Refinement::buffer, patch, least).height = Rational(1, divisor);
+    // Small elements have low boxes: what hovers is out of their reach unless these are made higher.
+    for (int b = std::max(1, budgets - 1); b <= budgets; ++b)
+        for (const int height : {1, 4, 16})
+            for (const Refinement refinement : {Refinement::buffer, Refinement::both})
+                add("height", refinement, patch, std::ldexp(patch, -b)).height = Rational(height);
     for (const Rational& margin : {Rational(0), Rational(1, 8), Rational(1, 2), Rational(1)})
         add("margin", Refinement::buffer, patch, least).margin = margin;
     return plan;

@@ -79,7 +79,7 @@ Table bar_table(const std::vector<StudyBar>& bars) {
         if (bar.reached) {
             const StudySettings& s = bar.reached->settings;
             cells.push_back(std::string(to_text(s.refinement)) + ", smallest edge " + number("%.4g", s.minimum_edge) +
-                            ", threshold " + number("%.4g", s.threshold) +
+                            ", threshold " + number("%.4g", s.threshold) + ", height " + to_text(s.height) +
                             (s.receiving_points > 1 ? ", " + std::to_string(s.receiving_points) + " points" : ""));
             cells.push_back(std::to_string(bar.reached->elements));
             cells.push_back(number("%.2f", 1e3 * bar.reached->seconds_median));
