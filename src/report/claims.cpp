@@ -1,6 +1,7 @@
 // The registry of claims and what they share.
 #include "cob/claims.hpp"
 
+#include "arithmetic/process.hpp"
 #include "cob/error.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/claims_bench.hpp"
@@ -122,6 +123,7 @@ void Bench::solve(RadiositySolver& solver) {
 
 RunRecord Bench::run(const Scene& scene, const RadiosityOptions& options) {
     RunRecord record;
+    const double processor_before = processor_seconds();
     RadiositySolver solver(scene, options);
     for (double before = solver.times().total();;) {
         const auto elements = static_cast<std::int64_t>(solver.element_count());
@@ -134,11 +136,12 @@ RunRecord Bench::run(const Scene& scene, const RadiosityOptions& options) {
         before = solver.times().total();
         if (options_.progress) options_.progress(done_, 0);
     }
+    record.processor_seconds = processor_seconds() - processor_before;
     record.counters = solver.counters();
     record.times = solver.times();
     record.elements = solver.element_count();
     record.nodes = solver.mesh().nodes().size();
-    record.buffers = solver.buffer_count();
+    if (!record.shot_buffers.empty()) record.buffers = static_cast<std::size_t>(record.shot_buffers.back());
     record.buffer_bytes = solver.buffer_bytes();
     for (const radiosity::NodeId leaf : solver.mesh().leaves())
         record.occluded += solver.buffer_state(leaf) == BufferState::occluded ? 1 : 0;
@@ -155,7 +158,7 @@ const RunRecord& Bench::buffer_run(const std::string& name) {
     RadiosityOptions options;
     options.refinement = Refinement::buffer;
     options.threads = options_.threads;
-    options.stop.shots = quick() ? 30 : 300;
+    options.stop.shots = quick() ? 30 : 100;
     if (quick()) {
         options.patch_edge = edge(scene(name), 6);
         options.buffer.minimum_edge = options.patch_edge / 8;

@@ -20,6 +20,7 @@ struct RunRecord {
     std::vector<std::int64_t> shot_nodes, shot_buffers;  ///< Elements of all levels and buffers built, after it.
     RadiosityCounters counters;
     RadiosityTimes times;
+    double processor_seconds = 0;  ///< Of all threads: steadier than the clock where a machine does other work.
     std::size_t elements = 0, nodes = 0, buffers = 0, buffer_bytes = 0, occluded = 0;
 };
 
@@ -44,7 +45,7 @@ public:
     RunRecord run(const Scene& scene, const RadiosityOptions& options);
     /// The same, kept under a name: several claims may be about one run.
     const RunRecord& run_once(const std::string& name, const Scene& scene, const RadiosityOptions& options);
-    /// 300 shots, as many as the paper's, with the buffer on a shipped scene; 30, on larger patches, where it is quick.
+    /// 100 shots with the buffer on a shipped scene; 30, on larger patches, where it is to be quick.
     const RunRecord& buffer_run(const std::string& name);
     /// One run of a study of direct light; light patches of a fixed size.
     StudyRun study(const Scene& scene, const StudyReference& reference, Refinement refinement, double patch_edge,

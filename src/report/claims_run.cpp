@@ -241,7 +241,7 @@ void first_slower(Bench& bench, ClaimResult& result) {
 
 struct WithAndWithout {
     RunRecord with, without;
-    double seconds_with = 0, seconds_without = 0;  ///< Least of three.
+    double seconds_with = 0, seconds_without = 0;  ///< Of processors, least of three.
 };
 
 /// The same run with step 1 and without; on small patches, so that elements fit under things.
@@ -260,8 +260,7 @@ WithAndWithout step_1(Bench& bench, const std::string& name) {
             const RunRecord& run =
                 bench.run_once(name + text(", step 1 %s, %d", skip ? "on" : "off", repeat), scene, options);
             double& seconds = skip ? result.seconds_with : result.seconds_without;
-            const double total = run.times.total() - run.times.meshing;
-            seconds = repeat == 0 ? total : std::min(seconds, total);
+            seconds = repeat == 0 ? run.processor_seconds : std::min(seconds, run.processor_seconds);
             (skip ? result.with : result.without) = run;
         }
     return result;
@@ -291,7 +290,7 @@ void occluded_speed_up(Bench& bench, ClaimResult& result) {
         ClaimCase c;
         c.scene = name;
         c.value = runs.seconds_without / runs.seconds_with;
-        c.holds = c.value >= 1.02;
+        c.holds = runs.with.occluded > 0 && c.value >= 1.05;
         c.measured =
             text("%.1f ms skipping occluded elements (%zu of %zu), %.1f ms shooting at them: %.2f times",
                  1e3 * runs.seconds_with, runs.with.occluded, runs.with.elements, 1e3 * runs.seconds_without, c.value);
@@ -310,8 +309,7 @@ std::vector<Claim> run_claims() {
          "Each light by itself asks for at least 1.2 times as many buffers, in sum, as all lights together.",
          "the lights shine on the same elements", one_for_all_lights},
         {"on-demand", "Building on demand saves time against building all buffers.", "section 5",
-         "At most 1 / 1.2 of the elements get a buffer.",
-         "few shots have been taken: sooner or later every element meets a strong one", on_demand},
+         "At most 1 / 1.2 of the elements get a buffer.", "not every element meets a strong shooter", on_demand},
         {"five-bytes", "A buffer takes 5 bytes an element.", "sections 3 and 7",
          "All buffers with their lists take at most 5 bytes for each element.",
          "few elements are close to many polygons, so that lists stay short", bytes_an_element},
@@ -325,8 +323,8 @@ std::vector<Claim> run_claims() {
          "At least 1 % of both, against the same run that shoots at occluded elements.",
          "elements lie wholly under something low", step_1_saves},
         {"occluded-faster", "Totally occluded elements speed the solution up.", "results",
-         "The same run without skipping takes at least 1.02 times as long.", "enough elements are occluded",
-         occluded_speed_up},
+         "Some elements are occluded, and the same run without skipping takes 1.05 times the processor time or more.",
+         "enough elements are occluded", occluded_speed_up},
     };
 }
 

@@ -148,6 +148,30 @@ std::string about(const StudyResults& results) {
            number("%.3g", results.reference.band_width) + " of where another share of a light is seen.";
 }
 
+/// Which refinement leads: how many runs of each are on the Pareto front of error against elements.
+std::string leaders(const std::vector<StudyRun>& runs) {
+    std::string text;
+    for (const bool in_band : {false, true}) {
+        std::vector<std::array<double, 2>> pairs;
+        std::vector<Refinement> kinds;
+        for (const StudyRun& run : runs) {
+            if (in_band && !run.band) continue;
+            pairs.push_back({static_cast<double>(run.elements), in_band ? run.band->l2 : run.all.l2});
+            kinds.push_back(run.settings.refinement);
+        }
+        if (pairs.empty()) continue;
+        const std::vector<bool> front = pareto_front(pairs);
+        std::array<int, 4> count{};
+        for (std::size_t k = 0; k < kinds.size(); ++k) count[static_cast<std::size_t>(kinds[k])] += front[k] ? 1 : 0;
+        text += std::string(in_band ? "; in the band: "
+                                    : "Runs on the front of L2 error against elements, over all points: ");
+        for (const Refinement refinement : refinements)
+            text += (refinement == refinements[0] ? "" : ", ") + std::string(to_text(refinement)) + " " +
+                    std::to_string(count[static_cast<std::size_t>(refinement)]);
+    }
+    return text + ".";
+}
+
 constexpr std::array<const char*, 6> series_names{"budget",       "threshold", "receiving points",
                                                   "initial mesh", "height",    "margin"};
 
@@ -169,6 +193,7 @@ std::string study_text(const StudyResults& results) {
         const std::vector<StudyRun> runs = of_series(results.runs, series);
         if (!runs.empty()) text += "\n" + std::string(series) + "\n" + table_of(runs).text();
     }
+    text += "\n" + leaders(results.runs) + "\n";
     return text + "\nthe bar\n" + bar_table(study_bars(results.reference, results.runs)).text();
 }
 
@@ -189,6 +214,7 @@ void write_study(const StudyResults& results, const std::string& folder) {
     for (const StudyPicture& picture : results.pictures) page.picture(picture.path, picture.caption);
     page.heading("the bar: 10 times fewer elements and 5 times less time than the finest uniform mesh");
     page.table(bar_table(bars));
+    page.paragraph(leaders(results.runs));
     for (const char* series : series_names) {
         const std::vector<StudyRun> runs = of_series(results.runs, series);
         if (runs.empty()) continue;

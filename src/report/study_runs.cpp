@@ -148,7 +148,7 @@ StudyRun study_run(const Scene& scene, const StudyReference& reference, const St
         run.shots = solver.counters().shots;
         run.segments = solver.counters().segments;
         run.form_factors = solver.counters().form_factors;
-        run.buffers = static_cast<std::int64_t>(solver.buffer_count());
+        for (const std::int64_t built : solver.counters().buffers) run.buffers += built;
         measure_errors(solver, reference, run);
     }
     std::sort(seconds.begin(), seconds.end());
