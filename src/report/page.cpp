@@ -10,7 +10,8 @@ namespace {
 
 constexpr const char* style =
     "body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#222}"
-    "table{display:block;overflow-x:auto;border-collapse:collapse;margin:1rem 0;font-size:14px;font-variant-numeric:tabular-nums}"
+    "table{display:block;overflow-x:auto;border-collapse:collapse;margin:1rem "
+    "0;font-size:14px;font-variant-numeric:tabular-nums}"
     "th,td{border:1px solid #ccc;padding:.2rem .6rem;text-align:left}th{background:#f3f3f3}"
     "figure{margin:1rem 0}img{max-width:100%;height:auto}figcaption{color:#555;font-size:14px}";
 
