@@ -2,6 +2,8 @@
 /// Error against run time: our own formula in several arithmetics, and other people's code, on a golden set.
 #pragma once
 
+#include "cob/visibility.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,6 +35,23 @@ std::vector<BenchRow> bench_set(const std::string& set, const BenchOptions& opti
 
 /// Several sets, one after another: counts are summed, times are means over all questions, bytes are the largest.
 std::vector<BenchRow> bench_sets(const std::vector<std::string>& sets, const BenchOptions& options = {});
+
+/// A segment to which Embree's triangles give the other answer; grazing ones have none.
+struct EmbreeDisagreement {
+    std::string kind;  ///< As in tags.csv.
+    Segment segment;
+    bool blocked = false;  ///< The exact answer: blocked, and Embree hits nothing; or clear, and it hits something.
+    PieceId piece = -1;    ///< That blocks by most; or that Embree hits.
+    double parameter = 0;  ///< Where along the segment.
+    bool at_end = false;   ///< Within the part of the segment that Embree is not asked about.
+    /// How plain the answer is: from the contact to the nearest side of the piece, as the line of the segment passes
+    /// it, or to the nearest end where that is less; 0 for a seam.
+    double clearance = 0;
+    Point across;  ///< Unit, from the line to that side or away from it: perpendicular to both.
+};
+/// Of the questions that bench_set() asks, those of the greatest clearance first. Nothing where the program was built
+/// without Embree. Throws InputError.
+std::vector<EmbreeDisagreement> embree_disagreements(const std::string& set, const BenchOptions& options = {});
 
 /// What the figures were measured on.
 struct BenchMachine {

@@ -21,10 +21,17 @@ public:
         bool (*call)(void* context, std::int32_t id);  ///< True: go on; false: stop.
     };
 
+    /// The same for pieces. `crossed`: whatever the exact segment is, it crosses the piece's interior from one side to
+    /// the other; a source need not know.
+    struct PieceCallback {
+        void* context;
+        bool (*call)(void* context, PieceId piece, bool crossed);
+    };
+
     /// Polygons (valid ones) whose bounds meet the closed bounds, each once.
     virtual void polygons_in(const std::array<double, 6>& bounds, Callback callback) const = 0;
-    /// Pieces whose bounds may meet a segment whose exact ends lie within half an ulp of these points.
-    virtual void pieces_along(const Point& from, const Point& to, Callback callback) const = 0;
+    /// Pieces that may meet a segment whose exact ends lie within half an ulp of these points, each once.
+    virtual void pieces_along(const Point& from, const Point& to, PieceCallback callback) const = 0;
     /// Bytes held beside the scene.
     virtual std::size_t memory() const = 0;
 };

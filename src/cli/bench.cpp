@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cob/files.hpp"
 #include "report/bench_report.hpp"
+#include "report/disagreement_report.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -19,6 +20,23 @@ struct Arguments {
     BenchOptions options;
 };
 
+void draw(const report::Plot& plot, const std::string& base, const char* what) {
+    if (report::draw(plot, base))
+        std::printf("%s.svg and .png: %s\n", base.c_str(), what);
+    else
+        std::fprintf(stderr, "cob: no plot %s: gnuplot is missing or failed; install gnuplot-nox\n", base.c_str());
+}
+
+/// Where Embree's triangles are wrong about a set: the counts, and a picture of each kind.
+void show_disagreements(const std::string& set, const BenchOptions& options, const std::string& base) {
+    const std::vector<EmbreeDisagreement> wrong = embree_disagreements(set, options);
+    if (wrong.empty()) return;
+    const Scene scene = read_obj(set + "/scene.obj", {true, false});
+    std::fputs(report::disagreement_table(scene, wrong).c_str(), stdout);
+    for (const EmbreeDisagreement& worst : report::worst_of_each_kind(wrong))
+        draw(report::disagreement_plot(scene, worst), base + worst.kind, "where Embree is wrong most plainly");
+}
+
 void run(const Arguments& arguments) {
     create_folder(arguments.folder);
     const std::vector<BenchRow> rows = bench_sets(arguments.sets, arguments.options);
@@ -28,13 +46,11 @@ void run(const Arguments& arguments) {
 
     for (const char* question : {"box", "segment"}) {
         const report::Plot plot = report::bench_plot(rows, machine, question);
-        const std::string base = arguments.folder + "/bench_" + question;
-        if (plot.curves.empty()) continue;
-        if (report::draw(plot, base))
-            std::printf("%s.svg and .png: error rate against time\n", base.c_str());
-        else
-            std::fprintf(stderr, "cob: no plot of %s questions: gnuplot is missing or failed; install gnuplot-nox\n",
-                         question);
+        if (!plot.curves.empty()) draw(plot, arguments.folder + "/bench_" + question, "error rate against time");
+    }
+    for (std::size_t k = 0; k < arguments.sets.size(); ++k) {
+        const std::string number = arguments.sets.size() > 1 ? std::to_string(k) + "_" : "";
+        show_disagreements(arguments.sets[k], arguments.options, arguments.folder + "/bench_embree_" + number);
     }
 }
 

@@ -36,10 +36,12 @@ struct Bounds {
     }
     /// Halved first, so that the widest bounds of binary64 do not overflow.
     double middle(std::size_t axis) const { return low[axis] / 2 + high[axis] / 2; }
+    /// Half of it, for the same reason.
+    double half_extent(std::size_t axis) const { return high[axis] / 2 - low[axis] / 2; }
     std::size_t longest_axis() const {
         std::size_t longest = 0;
         for (std::size_t axis = 1; axis < 3; ++axis)
-            if (high[axis] / 2 - low[axis] / 2 > high[longest] / 2 - low[longest] / 2) longest = axis;
+            if (half_extent(axis) > half_extent(longest)) longest = axis;
         return longest;
     }
 };

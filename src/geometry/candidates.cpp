@@ -19,9 +19,9 @@ public:
                 !callback.call(callback.context, id))
                 return;
     }
-    void pieces_along(const Point&, const Point&, Callback callback) const override {
+    void pieces_along(const Point&, const Point&, PieceCallback callback) const override {
         for (PieceId id = 0; id < static_cast<PieceId>(scene_.pieces().size()); ++id)
-            if (!callback.call(callback.context, id)) return;
+            if (!callback.call(callback.context, id, false)) return;
     }
     std::size_t memory() const override { return sizeof *this; }
 

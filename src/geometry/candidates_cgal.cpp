@@ -1,13 +1,16 @@
 // CGAL's AABB tree, with bounds and traversal of our own: CGAL's would construct primitives and intersect them, where
-// only names are wanted.
+// only names are wanted. For segments it is copied into a flat tree.
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "geometry/bounds.hpp"
 #include "geometry/candidates_trees.hpp"
+#include "geometry/piece_tree.hpp"
 
+#include <array>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace cob {
@@ -65,11 +68,16 @@ public:
         const std::vector<Bounds>* bounds;
         template <class Iterator>
         void operator()(Iterator first, Iterator beyond, const Bounds& all) const {
+            // Walls among details stay together, else every one of them would widen the nodes above some details.
             const std::size_t axis = all.longest_axis();
+            const double large = all.half_extent(axis) / 2;
+            const auto place = [&](const NumberedPrimitive& primitive) {
+                const Bounds& b = (*bounds)[static_cast<std::size_t>(primitive.id())];
+                return b.half_extent(axis) > large ? -Bounds::infinity : b.middle(axis);
+            };
             std::nth_element(first, first + (beyond - first) / 2, beyond, [&](const auto& a, const auto& b) {
-                const double middle_a = (*bounds)[static_cast<std::size_t>(a.id())].middle(axis);
-                const double middle_b = (*bounds)[static_cast<std::size_t>(b.id())].middle(axis);
-                return middle_a != middle_b ? middle_a < middle_b : a.id() < b.id();
+                const double place_a = place(a), place_b = place(b);
+                return place_a != place_b ? place_a < place_b : a.id() < b.id();
             });
         }
     };
@@ -82,32 +90,60 @@ private:
 
 using Tree = CGAL::AABB_tree<TreeTraits>;
 
-/// Walks a tree down wherever the query may meet the bounds; hands every primitive reached to the callback.
-template <class Query, class MayMeet>
-class Walk {
+/// `bounds` by id; needed only while the tree is built.
+Tree build(const std::vector<std::int32_t>& ids, const std::vector<Bounds>& bounds) {
+    Tree tree{TreeTraits(&bounds)};
+    tree.insert(ids.data(), ids.data() + ids.size());
+    if (!tree.empty()) tree.build();
+    return tree;
+}
+
+/// Walks a tree down wherever it may meet the bounds; hands every polygon reached to the callback.
+class WalkInBounds {
 public:
-    Walk(CandidateSource::Callback callback, MayMeet may_meet) : callback_(callback), may_meet_(may_meet) {}
+    WalkInBounds(const Scene& scene, CandidateSource::Callback callback) : scene_(scene), callback_(callback) {}
     bool go_further() const { return going_; }
-    void intersection(const Query&, const NumberedPrimitive& primitive) {
-        going_ = callback_.call(callback_.context, primitive.id());
+    void intersection(const Bounds& wanted, const NumberedPrimitive& primitive) {
+        // The tree tests its nodes; the primitives below the last ones are tested here.
+        if (bounds_of(scene_, scene_.loop(primitive.id())).meets(wanted))
+            going_ = callback_.call(callback_.context, primitive.id());
     }
     template <class Node>
-    bool do_intersect(const Query& query, const Node& node) const {
-        return may_meet_(query, node.bbox());
+    bool do_intersect(const Bounds& wanted, const Node& node) const {
+        return wanted.meets(node.bbox());
     }
 
 private:
+    const Scene& scene_;
     CandidateSource::Callback callback_;
-    MayMeet may_meet_;
     bool going_ = true;
 };
 
-template <class Query, class MayMeet>
-void walk(const Tree& tree, const Query& query, CandidateSource::Callback callback, MayMeet may_meet) {
-    if (tree.empty()) return;
-    Walk<Query, MayMeet> traits(callback, may_meet);
-    tree.traversal(query, traits);
-}
+/// A part of a tree: a node with everything below it, or a primitive alone.
+struct Subtree {
+    const CGAL::AABB_node<TreeTraits>* node = nullptr;
+    std::int32_t id = -1;  ///< Of the primitive, where there is no node.
+    std::size_t size = 1;  ///< Primitives.
+};
+
+/// Takes the two halves of a node from a walk that goes no deeper.
+class TakeHalves {
+public:
+    explicit TakeHalves(std::size_t size) : sizes_{size / 2, size - size / 2} {}
+    bool go_further() const { return true; }
+    void intersection(int, const NumberedPrimitive& primitive) { halves_[count_++] = {nullptr, primitive.id(), 1}; }
+    bool do_intersect(int, const CGAL::AABB_node<TreeTraits>& node) {
+        halves_[count_] = {&node, -1, sizes_[count_]};
+        ++count_;
+        return false;
+    }
+    const std::array<Subtree, 2>& halves() const { return halves_; }
+
+private:
+    std::array<std::size_t, 2> sizes_;
+    std::array<Subtree, 2> halves_;
+    std::size_t count_ = 0;
+};
 
 /// One tree of polygons for boxes, one of pieces for segments, each built when it is first asked.
 class CgalCandidates final : public CandidateSource {
@@ -116,43 +152,26 @@ public:
 
     void polygons_in(const std::array<double, 6>& bounds, Callback callback) const override {
         std::call_once(polygons_built_, [this] { build_polygons(); });
+        if (polygons_.empty()) return;
         const Bounds wanted{{bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}};
-        // The tree tests its nodes; the primitives below the last ones are tested here.
-        struct Filter {
-            const Scene& scene;
-            const Bounds& wanted;
-            Callback callback;
-        } filter{scene_, wanted, callback};
-        const Callback filtered{&filter, [](void* context, std::int32_t id) {
-                                    const Filter& f = *static_cast<const Filter*>(context);
-                                    return !bounds_of(f.scene, f.scene.loop(id)).meets(f.wanted) ||
-                                           f.callback.call(f.callback.context, id);
-                                }};
-        walk(polygons_, wanted, filtered, [](const Bounds& query, const Bounds& node) { return query.meets(node); });
+        WalkInBounds walk(scene_, callback);
+        polygons_.traversal(wanted, walk);
     }
 
-    void pieces_along(const Point& from, const Point& to, Callback callback) const override {
-        std::call_once(pieces_built_, [this] { build_pieces(); });
-        walk(pieces_, SlabSegment(from, to), callback,
-             [](const SlabSegment& query, const Bounds& node) { return query.may_meet(node); });
+    void pieces_along(const Point& from, const Point& to, PieceCallback callback) const override {
+        std::call_once(pieces_built_, [this] { pieces_.emplace(build_piece_tree(scene_)); });
+        pieces_->walk(from, to, callback);
     }
 
     std::size_t memory() const override {
-        const auto bytes = [](const Tree& tree) {
-            return tree.empty() ? std::size_t{0}
-                                : tree.size() * sizeof(NumberedPrimitive) +
-                                      (tree.size() - 1) * sizeof(CGAL::AABB_node<TreeTraits>);
-        };
-        return sizeof *this + bytes(polygons_) + bytes(pieces_);
+        const std::size_t polygons = polygons_.empty()
+                                         ? 0
+                                         : polygons_.size() * sizeof(NumberedPrimitive) +
+                                               (polygons_.size() - 1) * sizeof(CGAL::AABB_node<TreeTraits>);
+        return sizeof *this + polygons + (pieces_ ? pieces_->memory() : 0);
     }
 
 private:
-    static Tree build(const std::vector<std::int32_t>& ids, const std::vector<Bounds>& bounds) {
-        Tree tree{TreeTraits(&bounds)};
-        tree.insert(ids.data(), ids.data() + ids.size());
-        if (!tree.empty()) tree.build();
-        return tree;
-    }
     void build_polygons() const {
         std::vector<std::int32_t> ids;
         std::vector<Bounds> bounds(static_cast<std::size_t>(scene_.polygon_count()));
@@ -163,22 +182,104 @@ private:
         }
         polygons_ = build(ids, bounds);
     }
-    void build_pieces() const {
-        std::vector<std::int32_t> ids(scene_.pieces().size());
-        std::vector<Bounds> bounds(ids.size());
-        for (std::size_t k = 0; k < ids.size(); ++k) {
-            ids[k] = static_cast<std::int32_t>(k);
-            bounds[k] = bounds_of(scene_, scene_.corners(scene_.pieces()[k]));
-        }
-        pieces_ = build(ids, bounds);
-    }
 
     const Scene& scene_;
     mutable std::once_flag polygons_built_, pieces_built_;
-    mutable Tree polygons_, pieces_;
+    mutable Tree polygons_;
+    mutable std::optional<PieceTree> pieces_;
+};
+
+/// Copies CGAL's binary tree of pieces into a flat one: every other level goes, and what fits a packet becomes one.
+class Flattening {
+public:
+    Flattening(const Scene& scene, const std::vector<Bounds>& bounds, const Normalisation& normalise,
+               LargeVector<PieceTreeNode>& nodes, LargeVector<PiecePacket>& packets)
+        : scene_(scene), bounds_(bounds), normalise_(normalise), nodes_(nodes), packets_(packets) {}
+
+    void run(const Tree& tree) {
+        nodes_.emplace_back();
+        if (tree.size() == 1) {
+            fill(0, {{nullptr, 0, 1}});
+            return;
+        }
+        TakeHalves take(tree.size());
+        tree.traversal(0, take);
+        fill(0, {take.halves()[0], take.halves()[1]});
+    }
+
+private:
+    static std::array<Subtree, 2> halves(const Subtree& subtree) {
+        TakeHalves take(subtree.size);
+        subtree.node->traversal(0, take, subtree.size);
+        return take.halves();
+    }
+    void collect(const Subtree& subtree, std::vector<PieceId>& ids) const {
+        if (!subtree.node) return ids.push_back(subtree.id);
+        for (const Subtree& half : halves(subtree)) collect(half, ids);
+    }
+    /// The pieces of a subtree where they fit one packet; else nothing.
+    std::vector<PieceId> fitting(const Subtree& subtree) const {
+        std::vector<PieceId> ids;
+        if (subtree.size > 4) return ids;
+        collect(subtree, ids);
+        int lanes = 0;
+        for (const PieceId id : ids) lanes += PiecePacket::lanes_of(scene_.piece(id));
+        if (lanes > 4) ids.clear();
+        return ids;
+    }
+    /// Makes the node of these subtrees, with two levels in one; returns its bounds.
+    Bounds fill(std::size_t node, const std::vector<Subtree>& parts) {
+        std::vector<Subtree> children;
+        for (const Subtree& part : parts) {
+            if (!fitting(part).empty())
+                children.push_back(part);
+            else
+                for (const Subtree& half : halves(part)) children.push_back(half);
+        }
+        Bounds all;
+        for (std::size_t lane = 0; lane < children.size(); ++lane) {
+            Bounds bounds;
+            std::int32_t child;
+            const std::vector<PieceId> ids = fitting(children[lane]);
+            if (ids.empty()) {
+                child = static_cast<std::int32_t>(nodes_.size());
+                nodes_.emplace_back();
+                const std::array<Subtree, 2> two = halves(children[lane]);
+                bounds = fill(static_cast<std::size_t>(child), {two[0], two[1]});
+            } else {
+                child = ~static_cast<std::int32_t>(packets_.size());
+                packets_.emplace_back(scene_, ids, normalise_);
+                for (const PieceId id : ids) bounds.add(bounds_[static_cast<std::size_t>(id)]);
+            }
+            nodes_[node].set(lane, bounds, normalise_, child);
+            all.add(bounds);
+        }
+        return all;
+    }
+
+    const Scene& scene_;
+    const std::vector<Bounds>& bounds_;
+    const Normalisation& normalise_;
+    LargeVector<PieceTreeNode>& nodes_;
+    LargeVector<PiecePacket>& packets_;
 };
 
 }  // namespace
+
+PieceTree build_piece_tree(const Scene& scene) {
+    PieceTree result(scene);
+    std::vector<std::int32_t> ids(scene.pieces().size());
+    std::vector<Bounds> bounds(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        ids[k] = static_cast<std::int32_t>(k);
+        bounds[k] = bounds_of(scene, scene.corners(scene.pieces()[k]));
+    }
+    if (ids.empty()) return result;
+    Flattening(scene, bounds, result.normalisation_, result.nodes_, result.packets_).run(build(ids, bounds));
+    result.nodes_.shrink_to_fit();
+    result.packets_.shrink_to_fit();
+    return result;
+}
 
 std::unique_ptr<CandidateSource> make_cgal_candidates(const Scene& scene) {
     return std::make_unique<CgalCandidates>(scene);

@@ -1,159 +1,80 @@
 // Embree as a tree only: every piece is a user geometry with widened bounds, and its occlusion callback asks the exact
 // test, so that a piece that blocks ends the walk.
-#include <embree3/rtcore.h>
-
 #include "cob/error.hpp"
-#include "geometry/bounds.hpp"
 #include "geometry/candidates_trees.hpp"
+#include "geometry/embree_handles.hpp"
+#include "geometry/piece_tree.hpp"
 
-#include <atomic>
-#include <cmath>
 #include <future>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace cob {
 namespace {
 
-/// Segments are cut to this cube of the moved and scaled scene, which itself lies in [-1, 1].
-constexpr double reach = 4;
-/// Ends beyond this are too far off to be cut in binary64 with an error that the margin covers.
-constexpr double farthest = 0x1p20;
-
-/// Larger scenes would need a subnormal scale, which Embree's threads take for zero.
-constexpr double largest_extent = 0x1p1020;
-
-/// What walking along a segment in binary32 costs, in the moved and scaled scene. Ends in [-4, 4] are rounded by at
-/// most 2^-23 and the direction in [-8, 8] by 2^-22, so every point of the segment is off by less than 2^-21; cutting
-/// it adds 2^-31, the bounds' own rounding 2^-24, and Embree's robust walk takes care of its own. 2^-18 has room to
-/// spare.
+/// What walking along a segment in binary32 costs, in the normalised scene. Ends in [-4, 4] are rounded by at most
+/// 2^-23 and the direction in [-8, 8] by 2^-22, so every point of the segment is off by less than 2^-21; the bounds'
+/// own rounding adds 2^-24, and Embree's robust walk takes care of its own. 2^-18 has room to spare.
 constexpr double walking_margin = 0x1p-18;
-
-/// The map into [-1, 1]: p -> (p - centre) scale, a power of two.
-struct Normalisation {
-    Point centre;
-    double scale = 1;
-    double extent = 0;
-    double margin = walking_margin;
-
-    explicit Normalisation(const Bounds& all) {
-        double greatest = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            centre[static_cast<int>(axis)] = all.middle(axis);
-            extent = std::max(extent, all.high[axis] / 2 - all.low[axis] / 2);
-            greatest = std::max({greatest, std::abs(all.high[axis]), std::abs(all.low[axis])});
-        }
-        // Scenes smaller than 2^-1000 stay small, and everything is a candidate.
-        scale = std::ldexp(1.0, -std::max(-1000, std::ilogb(extent) + 1));
-        // Where the scene is far from the origin: the rounding of the ends to binary64, and of the subtraction.
-        margin += 16 * 0x1p-53 * (greatest * scale + reach);
-    }
-    Point operator()(const Point& p) const {
-        return {(p.x - centre.x) * scale, (p.y - centre.y) * scale, (p.z - centre.z) * scale};
-    }
-};
-
-double greatest_coordinate(const Point& p) {
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-}
-
-/// The part of the segment in the cube of `reach`; nothing where there is none.
-std::optional<std::pair<Point, Point>> cut(const Point& from, const Point& to) {
-    double first = 0, last = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double x = from[axis], d = to[axis] - x;
-        if (d == 0) {
-            if (std::abs(x) > reach) return std::nullopt;
-            continue;
-        }
-        const double a = (-reach - x) / d, b = (reach - x) / d;
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    if (!(first < last)) return std::nullopt;
-    const Point d = to - from;
-    return std::pair{from + first * d, from + last * d};
-}
 
 class EmbreeCandidates final : public CandidateSource {
 public:
-    explicit EmbreeCandidates(const Scene& scene) : scene_(scene), others_(make_cgal_candidates(scene)) {}
-    ~EmbreeCandidates() override {
-        if (tree_) rtcReleaseScene(tree_);
-        if (device_) rtcReleaseDevice(device_);
-    }
-    EmbreeCandidates(const EmbreeCandidates&) = delete;
-    EmbreeCandidates& operator=(const EmbreeCandidates&) = delete;
+    explicit EmbreeCandidates(const Scene& scene) : scene_(scene), boxes_(make_cgal_candidates(scene)) {}
 
     void polygons_in(const std::array<double, 6>& bounds, Callback callback) const override {
-        others_->polygons_in(bounds, callback);
+        boxes_->polygons_in(bounds, callback);
     }
 
-    void pieces_along(const Point& from, const Point& to, Callback callback) const override {
+    void pieces_along(const Point& from, const Point& to, PieceCallback callback) const override {
         std::call_once(built_, [this] { build(); });
-        if (!tree_) return others_->pieces_along(from, to, callback);
-        // 1. Into the cube in which binary32 is near enough; what comes from too far is left to the other tree.
-        Point x = (*normalisation_)(from), y = (*normalisation_)(to);
-        if (!(greatest_coordinate(x) <= reach && greatest_coordinate(y) <= reach)) {
-            const bool in_range = greatest_coordinate(x) <= farthest && greatest_coordinate(y) <= farthest;
-            if (!in_range) return others_->pieces_along(from, to, callback);  // NaN as well
-            const auto inside = cut(x, y);
-            if (!inside) return;
-            std::tie(x, y) = *inside;
-        }
+        if (!tree_) return;
+        // 1. Into the coordinates of the tree; what comes from too far is not walked.
+        const NormalSegment segment = normalised(*normalisation_, from, to);
+        if (segment.kind == NormalSegment::Kind::outside) return;
+        if (segment.kind == NormalSegment::Kind::far_off) return walk_all_pieces(scene_, from, to, callback);
         // 2. A ray from parameter 0 to 1.
-        RTCRay ray{};
-        ray.org_x = static_cast<float>(x.x);
-        ray.org_y = static_cast<float>(x.y);
-        ray.org_z = static_cast<float>(x.z);
-        ray.dir_x = static_cast<float>(y.x - x.x);
-        ray.dir_y = static_cast<float>(y.y - x.y);
-        ray.dir_z = static_cast<float>(y.z - x.z);
-        ray.tfar = 1;
-        ray.mask = ~0u;
+        RTCRay ray = embree_ray(segment.from, segment.to);
         // 3. Down the tree.
-        Context context;
+        Context context{{}, callback};
         rtcInitIntersectContext(&context.embree);
-        context.callback = callback;
-        rtcOccluded1(tree_, &context.embree, &ray);
+        rtcOccluded1(tree_.get(), &context.embree, &ray);
     }
 
     std::size_t memory() const override {
-        return sizeof *this + static_cast<std::size_t>(bytes_.load()) + others_->memory();
+        return sizeof *this + static_cast<std::size_t>(bytes_.load()) + boxes_->memory();
     }
 
 private:
     /// Embree hands its context to the callback; ours goes with it.
     struct Context {
         RTCIntersectContext embree;
-        Callback callback;
+        PieceCallback callback;
     };
 
     static void bound(const RTCBoundsFunctionArguments* arguments) {
-        const EmbreeCandidates& self = *static_cast<const EmbreeCandidates*>(arguments->geometryUserPtr);
-        const Normalisation& normalise = *self.normalisation_;
-        const Bounds bounds =
-            bounds_of(self.scene_, self.scene_.corners(self.scene_.piece(static_cast<PieceId>(arguments->primID))));
-        const Point low = normalise({bounds.low[0], bounds.low[1], bounds.low[2]});
-        const Point high = normalise({bounds.high[0], bounds.high[1], bounds.high[2]});
-        // Nothing is ever asked beyond the cube, and Embree refuses infinite bounds.
-        const auto down = [&](double v) { return static_cast<float>(std::max(v - normalise.margin, -2 * reach)); };
-        const auto up = [&](double v) { return static_cast<float>(std::min(v + normalise.margin, 2 * reach)); };
-        RTCBounds& out = *arguments->bounds_o;
-        out.lower_x = down(low.x);
-        out.lower_y = down(low.y);
-        out.lower_z = down(low.z);
-        out.upper_x = up(high.x);
-        out.upper_y = up(high.y);
-        out.upper_z = up(high.z);
+        const auto& bounds = *static_cast<const std::vector<RTCBounds>*>(arguments->geometryUserPtr);
+        *arguments->bounds_o = bounds[arguments->primID];
+    }
+
+    /// Made here and not when Embree asks: its threads take subnormal numbers for zero.
+    RTCBounds bounds_of_piece(const Piece& piece) const {
+        const Bounds bounds = bounds_of(scene_, scene_.corners(piece));
+        const Point low = (*normalisation_)({bounds.low[0], bounds.low[1], bounds.low[2]});
+        const Point high = (*normalisation_)({bounds.high[0], bounds.high[1], bounds.high[2]});
+        // Nothing is ever asked beyond reach, and Embree refuses infinite bounds.
+        constexpr double beyond = 2 * Normalisation::reach;
+        const double margin = walking_margin + 5 * normalisation_->greatest_error();
+        const auto down = [&](double v) { return static_cast<float>(std::max(v - margin, -beyond)); };
+        const auto up = [&](double v) { return static_cast<float>(std::min(v + margin, beyond)); };
+        return {down(low.x), down(low.y), down(low.z), 0, up(high.x), up(high.y), up(high.z), 0};
     }
 
     static void occluded(const RTCOccludedFunctionNArguments* arguments) {
         if (arguments->valid[0] == 0) return;
         const Context& context = *reinterpret_cast<const Context*>(arguments->context);
-        if (context.callback.call(context.callback.context, static_cast<std::int32_t>(arguments->primID))) return;
+        if (context.callback.call(context.callback.context, static_cast<PieceId>(arguments->primID), false)) return;
         RTCRayN_tfar(arguments->ray, arguments->N, 0) = -std::numeric_limits<float>::infinity();
     }
 
@@ -166,42 +87,35 @@ private:
     }
 
     void build_here() const {
-        Bounds all;
-        for (const Piece& piece : scene_.pieces()) all.add(bounds_of(scene_, scene_.corners(piece)));
-        normalisation_.emplace(all);
-        if (normalisation_->extent >= largest_extent) return;  // the other tree serves alone
+        normalisation_.emplace(bounds_of_pieces(scene_));
+        std::vector<RTCBounds> bounds;
+        for (const Piece& piece : scene_.pieces()) bounds.push_back(bounds_of_piece(piece));
 
-        device_ = rtcNewDevice(nullptr);
+        device_.reset(rtcNewDevice(nullptr));
         if (!device_) throw InputError("Embree cannot start here", {"", 0, "", "choose another source of candidates"});
-        rtcSetDeviceMemoryMonitorFunction(
-            device_,
-            [](void* bytes, ssize_t change, bool) {
-                static_cast<std::atomic<std::int64_t>*>(bytes)->fetch_add(change);
-                return true;
-            },
-            &bytes_);
-        const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(scene_.pieces().size()));
-        rtcSetGeometryUserData(geometry, const_cast<EmbreeCandidates*>(this));
+        count_bytes(device_.get(), bytes_);
+        const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(bounds.size()));
+        rtcSetGeometryUserData(geometry, &bounds);
         rtcSetGeometryBoundsFunction(geometry, bound, nullptr);
         rtcSetGeometryOccludedFunction(geometry, occluded);
         rtcCommitGeometry(geometry);
-        tree_ = rtcNewScene(device_);
-        rtcSetSceneFlags(tree_, RTC_SCENE_FLAG_ROBUST);
-        rtcAttachGeometry(tree_, geometry);
+        tree_.reset(rtcNewScene(device_.get()));
+        rtcSetSceneFlags(tree_.get(), RTC_SCENE_FLAG_ROBUST);
+        rtcAttachGeometry(tree_.get(), geometry);
         rtcReleaseGeometry(geometry);
-        rtcCommitScene(tree_);
-        if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
+        rtcCommitScene(tree_.get());
+        if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
             throw InputError("Embree cannot build its tree", {"", 0, "", "choose another source of candidates"});
     }
 
     const Scene& scene_;
-    std::unique_ptr<CandidateSource> others_;  ///< For boxes, and for segments from far away.
+    std::unique_ptr<CandidateSource> boxes_;  ///< Asked for polygons.
     mutable std::once_flag built_;
     mutable std::optional<Normalisation> normalisation_;
-    mutable RTCDevice device_ = nullptr;
-    mutable RTCScene tree_ = nullptr;
     mutable std::atomic<std::int64_t> bytes_{0};
+    mutable EmbreeDevice device_;
+    mutable EmbreeScene tree_;
 };
 
 }  // namespace

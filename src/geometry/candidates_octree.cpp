@@ -27,9 +27,9 @@ public:
         build(root, 0, items_.size(), 0);
     }
 
-    /// Names every item whose bounds may_meet, until the callback says stop.
-    template <class MayMeet>
-    void walk(const MayMeet& may_meet, CandidateSource::Callback callback) const {
+    /// Names every item whose bounds may_meet, until name(item) is false.
+    template <class MayMeet, class Name>
+    void walk(const MayMeet& may_meet, const Name& name) const {
         for (std::size_t node = 0; node < nodes_.size();) {
             const Node& n = nodes_[node];
             if (!may_meet(n.bounds)) {
@@ -38,7 +38,7 @@ public:
             }
             for (std::size_t k = n.first; k < n.last; ++k) {
                 const std::int32_t item = items_[k];
-                if (may_meet(bounds_[static_cast<std::size_t>(item)]) && !callback.call(callback.context, item)) return;
+                if (may_meet(bounds_[static_cast<std::size_t>(item)]) && !name(item)) return;
             }
             ++node;
         }
@@ -124,25 +124,20 @@ public:
             polygons_ = LooseOctree(std::move(all));
         });
         const Bounds wanted{{bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}};
-        struct Named {
-            const std::vector<PolygonId>& ids;
-            Callback callback;
-        } named{valid_, callback};
-        polygons_.walk([&](const Bounds& b) { return b.meets(wanted); },
-                       {&named, [](void* context, std::int32_t item) {
-                            const Named& n = *static_cast<const Named*>(context);
-                            return n.callback.call(n.callback.context, n.ids[static_cast<std::size_t>(item)]);
-                        }});
+        polygons_.walk(
+            [&](const Bounds& b) { return b.meets(wanted); },
+            [&](std::int32_t item) { return callback.call(callback.context, valid_[static_cast<std::size_t>(item)]); });
     }
 
-    void pieces_along(const Point& from, const Point& to, Callback callback) const override {
+    void pieces_along(const Point& from, const Point& to, PieceCallback callback) const override {
         std::call_once(pieces_built_, [this] {
             std::vector<Bounds> all;
             for (const Piece& piece : scene_.pieces()) all.push_back(bounds_of(scene_, scene_.corners(piece)));
             pieces_ = LooseOctree(std::move(all));
         });
         const SlabSegment segment(from, to);
-        pieces_.walk([&](const Bounds& b) { return segment.may_meet(b); }, callback);
+        pieces_.walk([&](const Bounds& b) { return segment.may_meet(b); },
+                     [&](std::int32_t item) { return callback.call(callback.context, item, false); });
     }
 
     std::size_t memory() const override {

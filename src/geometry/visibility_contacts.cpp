@@ -69,7 +69,7 @@ Contact named(const PieceTable& pieces, PieceId id, const Touch& touch, const Ra
 std::vector<PieceId> candidates_along(const CandidateSource& source, const Segment& segment) {
     std::vector<PieceId> pieces;
     source.pieces_along(segment.from.nearest(), segment.to.nearest(),
-                        {&pieces, [](void* context, std::int32_t piece) {
+                        {&pieces, [](void* context, PieceId piece, bool) {
                              static_cast<std::vector<PieceId>*>(context)->push_back(piece);
                              return true;
                          }});

@@ -33,8 +33,9 @@ class Gathering {
 public:
     explicit Gathering(const Signs& signs) : signs_(signs) {}
 
-    /// False: blocked already, nothing that follows matters.
-    bool add(PieceId piece) {
+    /// False: blocked already, nothing that follows matters. `crossed`: for certain, says the source of the piece.
+    bool add(PieceId piece, bool crossed = false) {
+        if (crossed && Signs::exact) return !(blocked_ = true);
         const Touch met = touch(signs_, piece);
         switch (met.kind) {
             case Touch::Kind::none:
@@ -72,8 +73,8 @@ Visibility visibility_along(const Signs& signs, const CandidateSource& candidate
                             PieceId* blocker = nullptr) {
     Gathering<Signs> gathering(signs);
     candidates.pieces_along(segment.from.nearest(), segment.to.nearest(),
-                            {&gathering, [](void* context, std::int32_t piece) {
-                                 return static_cast<Gathering<Signs>*>(context)->add(piece);
+                            {&gathering, [](void* context, PieceId piece, bool crossed) {
+                                 return static_cast<Gathering<Signs>*>(context)->add(piece, crossed);
                              }});
     if (blocker != nullptr) *blocker = gathering.blocker();
     return gathering.answer();

@@ -76,30 +76,28 @@ ApproximatePlane approximate_plane(const Point& origin, const Point& first, cons
 PieceTable::PieceTable(const Scene& scene) : scene_(&scene) {
     const std::size_t count = scene.pieces().size();
     planes_.reserve(count);
-    triangles_.reserve(count);
-    turn_.reserve(count);
     for (PieceId id = 0; id < static_cast<PieceId>(count); ++id) {
         const Piece& piece = scene.piece(id);
-        turn_.push_back(strict_turn(scene, piece));
-        const PiecePlane p = plane(id);
+        const std::uint32_t turn = strict_turn(scene, piece);
+        const PiecePlane p = plane(id, turn);
         const Point &first = scene.position(p.first), &last = scene.position(p.last);
         ApproximatePlane approximate = approximate_plane(scene.position(p.origin), first, last);
-        approximate.group = scene.polygon(piece.polygon).planar ? piece.polygon : scene.polygon_count() + id;
+        const Polygon& polygon = scene.polygon(piece.polygon);
+        approximate.group = polygon.planar && polygon.piece_count > 1 ? piece.polygon : -1;
         approximate.corner_count = piece.corner_count;
+        approximate.others = {first, last};
+        approximate.turn = turn;
         planes_.push_back(approximate);
-        triangles_.push_back({first, last});
     }
 }
 
-PiecePlane PieceTable::plane(PieceId piece) const {
+PiecePlane PieceTable::plane(PieceId piece, std::uint32_t turn) const {
     const View<VertexId> corners = scene_->corners(scene_->piece(piece));
-    const std::size_t turn = turn_[static_cast<std::size_t>(piece)];
     return {corner(corners, turn), corner(corners, turn + 1), corner(corners, turn + corners.size() - 1)};
 }
 
 std::size_t PieceTable::memory() const {
-    return planes_.capacity() * sizeof(ApproximatePlane) + triangles_.capacity() * sizeof(triangles_[0]) +
-           turn_.capacity() * sizeof(std::uint32_t);
+    return planes_.capacity() * sizeof(ApproximatePlane);
 }
 
 }  // namespace cob

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cob/scene.hpp"
+#include "geometry/large_pages.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,16 +19,18 @@ struct PiecePlane {
     VertexId origin = -1, first = -1, last = -1;
 };
 
-/// The plane in binary64, in one cache line: a point whose difference from the origin is r lies where normal . r
-/// says, if that is beyond error * (the greatest coordinate of r) + size() * (how far the point is off in each
-/// coordinate).
-struct alignas(64) ApproximatePlane {
+/// The plane in binary64, in one cache line, and what else the filters read, in the next. A point whose difference from
+/// the origin is r lies where normal . r says, if that is beyond error * (the greatest coordinate of r) + size() * (how
+/// far the point is off in each coordinate).
+struct alignas(128) ApproximatePlane {
     Point normal;
     Point origin;      ///< A corner of the piece, the first of a triangle.
     double error = 0;  ///< Infinite where binary64 cannot hold the normal.
-    /// Pieces of one number are known to lie in one plane: those of one planar polygon.
+    /// Pieces of one number are known to lie in one plane: those of one planar polygon. -1: no other piece is.
     std::int32_t group = -1;
     std::uint32_t corner_count = 0;
+    std::array<Point, 2> others;  ///< Of a triangle: its second and third corner.
+    std::uint32_t turn = 0;       ///< The number of the corner that PiecePlane::origin is.
 
     double size() const { return std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z); }
 };
@@ -37,10 +40,8 @@ public:
     explicit PieceTable(const Scene& scene);
 
     const Scene& scene() const { return *scene_; }
-    PiecePlane plane(PieceId piece) const;
+    PiecePlane plane(PieceId piece) const { return plane(piece, approximate(piece).turn); }
     const ApproximatePlane& approximate(PieceId piece) const { return planes_[static_cast<std::size_t>(piece)]; }
-    /// The second and third corner of a piece that is a triangle.
-    const std::array<Point, 2>& triangle(PieceId piece) const { return triangles_[static_cast<std::size_t>(piece)]; }
     /// The coordinate axis along which the piece is seen (SPEC 2): its normal is not zero there.
     int view_axis(PieceId piece) const { return polygon(piece).view.axis; }
     /// Sign of the normal along that axis.
@@ -51,12 +52,11 @@ public:
     std::size_t memory() const;
 
 private:
+    PiecePlane plane(PieceId piece, std::uint32_t turn) const;
     const Polygon& polygon(PieceId piece) const { return scene_->polygon(scene_->piece(piece).polygon); }
 
     const Scene* scene_;
-    std::vector<ApproximatePlane> planes_;
-    std::vector<std::array<Point, 2>> triangles_;  ///< Beside the scene's positions, to be reached in one step.
-    std::vector<std::uint32_t> turn_;              ///< The corner of every piece that is the plane's origin.
+    LargeVector<ApproximatePlane> planes_;
 };
 
 }  // namespace cob

@@ -42,6 +42,9 @@ struct ExactArithmetic {
 template <class Arithmetic>
 class SegmentSigns {
 public:
+    /// What is certain in exact arithmetic is so here.
+    static constexpr bool exact = false;
+
     SegmentSigns(const PieceTable& pieces, const Segment& segment, Arithmetic arithmetic)
         : pieces_(&pieces), from_(segment.from), to_(segment.to), arithmetic_(arithmetic) {}
 
@@ -120,11 +123,12 @@ class ExactSigns : public SegmentSigns<ExactArithmetic> {
     using Base = SegmentSigns<ExactArithmetic>;
 
 public:
+    static constexpr bool exact = true;
+
     ExactSigns(const PieceTable& pieces, const Segment& segment, const SignContext& context)
         : Base(pieces, segment, ExactArithmetic{context}),
-          from_group_(segment.from_piece < 0 || !context.known_ends ? -1
-                                                                    : pieces.approximate(segment.from_piece).group),
-          to_group_(segment.to_piece < 0 || !context.known_ends ? -1 : pieces.approximate(segment.to_piece).group),
+          from_piece_(context.known_ends ? segment.from_piece : -1),
+          to_piece_(context.known_ends ? segment.to_piece : -1),
           d_(to_.nearest() - from_.nearest()),
           from_rest_(rest(from_)),
           to_rest_(rest(to_)) {
@@ -137,25 +141,25 @@ public:
     /// The filters alone, for the bulk of the pieces that a segment passes.
     Certain at_once(PieceId piece) const {
         const ApproximatePlane& plane = pieces_->approximate(piece);
-        // 1. An end known to lie in the plane: missed if the other does not.
-        if (plane.group == from_group_ || plane.group == to_group_) {
-            const bool other = plane.group == from_group_;
-            if (plane.group == (other ? to_group_ : from_group_)) return Certain::unknown;
-            return filtered_end_side(plane, other ? End::to : End::from) != Sign::zero ? count(1, Certain::missed)
-                                                                                       : Certain::unknown;
-        }
-        // 2. Both ends on one side.
-        const Sign begins = filtered_end_side(plane, End::from), ends = filtered_end_side(plane, End::to);
-        if (begins == Sign::zero || ends == Sign::zero) return Certain::unknown;
+        // 1. The sides that the ends lie on.
+        const bool from_known = is_carried(piece, from_piece_), to_known = is_carried(piece, to_piece_);
+        const Sign begins = from_known ? Sign::zero : filtered_end_side(plane, End::from);
+        const Sign ends = to_known ? Sign::zero : filtered_end_side(plane, End::to);
+        if (begins == Sign::zero && ends == Sign::zero) return Certain::unknown;
+        // 2. An end known to lie in the plane: missed as the other does not. Both ends on one side.
+        if (begins == Sign::zero)
+            return from_known || is_triangle_corner(piece, End::from) ? count(1, Certain::missed) : Certain::unknown;
+        if (ends == Sign::zero)
+            return to_known || is_triangle_corner(piece, End::to) ? count(1, Certain::missed) : Certain::unknown;
         if (begins == ends) return count(2, Certain::missed);
         // 3. The line of the segment passes every side on the inner hand, or some side on the outer.
-        if (plane.corner_count == 3) return triangle_crossed(plane, pieces_->triangle(piece), begins);
+        if (plane.corner_count == 3) return triangle_crossed(plane, begins);
         return Certain::unknown;
     }
 
     Sign end_side(PieceId piece, End end) const {
         const ApproximatePlane& plane = pieces_->approximate(piece);
-        if (plane.group == (end == End::from ? from_group_ : to_group_)) return Sign::zero;
+        if (is_carried(piece, end == End::from ? from_piece_ : to_piece_)) return Sign::zero;
         const Sign sign = filtered_end_side(plane, end);
         if (sign != Sign::zero) {
             ++arithmetic_.context.counters->filtered;
@@ -210,8 +214,8 @@ private:
         return bound;
     }
 
-    Certain triangle_crossed(const ApproximatePlane& plane, const std::array<Point, 2>& corners, Sign begins) const {
-        const Point &x = from_.nearest(), a = plane.origin - x, b = corners[0] - x, c = corners[1] - x;
+    Certain triangle_crossed(const ApproximatePlane& plane, Sign begins) const {
+        const Point &x = from_.nearest(), a = plane.origin - x, b = plane.others[0] - x, c = plane.others[1] - x;
         const double bound = line_bound(std::max({greatest(a), greatest(b), greatest(c)}));
         const Point da = cross(d_, a), db = cross(d_, b);
         // Inside where all have the sign of the far end.
@@ -223,6 +227,19 @@ private:
         return Certain::unknown;
     }
 
+    /// The same as is_corner() of a triangle, from what is at hand.
+    bool is_triangle_corner(PieceId piece, End end) const {
+        const ApproximatePlane& plane = pieces_->approximate(piece);
+        if (plane.corner_count != 3 || !arithmetic_.context.known_ends || point(end).inexact()) return false;
+        const Point& p = point(end).nearest();
+        return p == plane.origin || p == plane.others[0] || p == plane.others[1];
+    }
+    /// The plane of a piece is known to be that of the one that an end carries.
+    bool is_carried(PieceId piece, PieceId carried) const {
+        if (carried < 0) return false;
+        const std::int32_t group = pieces_->approximate(piece).group;
+        return piece == carried || (group >= 0 && group == pieces_->approximate(carried).group);
+    }
     bool is_corner(PieceId piece, End end) const {
         if (point(end).inexact()) return false;
         for (const VertexId corner : scene().corners(scene().piece(piece)))
@@ -230,7 +247,7 @@ private:
         return false;
     }
 
-    std::int32_t from_group_, to_group_;
+    PieceId from_piece_, to_piece_;
     Point d_;
     double d_size_;
     double from_rest_, to_rest_;

@@ -1,107 +1,102 @@
-// Embree as a yes-or-no variant of visibility: single precision, any hit strictly between the ends.
+// Embree as a yes-or-no variant of visibility, and the segments on which it is wrong.
 #include "golden/bench_set.hpp"
 
 #ifdef COB_HAS_EMBREE
 
-#include <embree3/rtcore.h>
+#include "geometry/embree_triangles.hpp"
 
-#include <atomic>
-#include <future>
-#include <memory>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace cob {
-
 namespace {
 
-template <auto Release>
-struct ReleaseWith {
-    template <class T>
-    void operator()(T* handle) const {
-        Release(handle);
-    }
-};
-using Device = std::unique_ptr<RTCDeviceTy, ReleaseWith<rtcReleaseDevice>>;
-using EmbreeScene = std::unique_ptr<RTCSceneTy, ReleaseWith<rtcReleaseScene>>;
-
-bool count_bytes(void* total, ssize_t bytes, bool) {
-    *static_cast<std::atomic<std::int64_t>*>(total) += bytes;
-    return true;
+bool right(const BenchSegment& question, bool hidden) {
+    return question.visibility == Visibility::grazing || hidden == (question.visibility == Visibility::blocked);
 }
 
-/// All pieces as triangles of one geometry.
-EmbreeScene build(RTCDevice device, const Scene& scene) {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const Piece& piece : scene.pieces()) {
-        const auto corners = scene.corners(piece);
-        for (const auto& [a, b, c] : cut_into_triangles(scene, piece))
-            triangles.push_back({static_cast<std::uint32_t>(corners[a]), static_cast<std::uint32_t>(corners[b]),
-                                 static_cast<std::uint32_t>(corners[c])});
+double length(const Point& v) {
+    return std::hypot(v.x, v.y, v.z);
+}
+
+/// Puts the contact of a piece into the description where it is the clearest so far.
+void consider(const Scene& scene, PieceId piece, double parameter, bool seam, EmbreeDisagreement& result) {
+    const Point from = result.segment.from.nearest(), d = result.segment.to.nearest() - from;
+    const View<VertexId> corners = scene.corners(scene.piece(piece));
+    double nearest = std::numeric_limits<double>::infinity();
+    Point across;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Point a = scene.position(corners[static_cast<std::ptrdiff_t>(k)]);
+        const Point b = scene.position(corners[static_cast<std::ptrdiff_t>((k + 1) % corners.size())]);
+        const Point normal = cross(d, b - a);
+        const double distance = std::abs(dot(normal, a - from)) / length(normal);
+        if (distance < nearest) nearest = distance, across = (1 / length(normal)) * normal;
     }
-    EmbreeScene result(rtcNewScene(device));
-    rtcSetSceneFlags(result.get(), RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), scene.positions().size()));
-    for (const Point& p : scene.positions())
-        for (int axis = 0; axis < 3; ++axis) *vertex++ = static_cast<float>(p[axis]);
-    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
-    for (const auto& triangle : triangles)
-        for (const std::uint32_t corner : triangle) *index++ = corner;
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(result.get(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(result.get());
+    const double to_end = std::min(parameter, 1 - parameter) * length(d);
+    const double clearance = seam || !std::isfinite(nearest) ? 0 : std::min(nearest, to_end);
+    if (result.piece >= 0 && clearance <= result.clearance) return;
+    result.piece = piece;
+    result.parameter = parameter;
+    result.clearance = clearance;
+    result.across = across;
+}
+
+/// What the exact answer rests on, or what Embree hits.
+EmbreeDisagreement described(const BenchSet& set, const VisibilityOracle& oracle, const EmbreeTriangles& embree,
+                             const BenchSegment& question) {
+    EmbreeDisagreement result;
+    result.segment = question.segment;
+    result.blocked = question.visibility == Visibility::blocked;
+    if (result.blocked) {
+        for (const ExplainedContact& contact : oracle.explain(question.segment).details)
+            if (contact.blocks)
+                consider(set.scene, contact.contact.piece, to_nearest(contact.contact.parameter),
+                         contact.contact.kind != ContactKind::inside, result);
+    } else if (const auto hit = embree.first_hit(question.segment)) {
+        consider(set.scene, hit->piece, hit->parameter, false, result);
+    }
+    constexpr double offset = EmbreeTriangles::offset;
+    result.at_end = result.parameter <= offset || result.parameter >= 1 - offset;
     return result;
-}
-
-bool hidden(RTCScene scene, const Segment& segment) {
-    const Point &from = segment.from.nearest(), along = segment.to.nearest() - from;
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
-    ray.org_z = static_cast<float>(from.z);
-    ray.dir_x = static_cast<float>(along.x), ray.dir_y = static_cast<float>(along.y),
-    ray.dir_z = static_cast<float>(along.z);
-    // The usual offset of shadow rays: without it every ray hits the surface that it leaves.
-    ray.tnear = 1e-4F, ray.tfar = 1 - 1e-4F;
-    ray.mask = ~0U;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene, &context, &ray);
-    return ray.tfar < 0;
 }
 
 }  // namespace
 
 void bench_embree(const BenchSet& set, const BenchOptions& options, std::vector<BenchRow>& rows) {
     if (set.segments.empty()) return;
-    std::atomic<std::int64_t> bytes{0};
-    Device device;
-    EmbreeScene scene;
-    // On a thread of its own: Embree builds with subnormal numbers flushed to zero, and where it is the first to use
-    // oneTBB in a thread, that thread's tasks would work so ever after, exact decisions among them.
-    std::async(std::launch::async, [&] {
-        device.reset(rtcNewDevice("threads=1"));
-        rtcSetDeviceMemoryMonitorFunction(device.get(), count_bytes, &bytes);
-        scene = build(device.get(), set.scene);
-    }).get();
-
+    const EmbreeTriangles embree(set.scene);
     std::vector<BenchRow> kinds;
     for (const auto& [kind, segments] : set.segments) {
         std::vector<char> answers(segments.size());
         const auto ask = [&, &questions = segments](std::size_t k) {
-            answers[k] = hidden(scene.get(), questions[k].segment);
+            answers[k] = embree.hidden(questions[k].segment);
         };
         BenchRow row = measure(segments.size(), options, ask, [&, &questions = segments](std::size_t k) {
-            const Visibility exact = questions[k].visibility;
-            const bool right = exact == Visibility::grazing || (answers[k] != 0) == (exact == Visibility::blocked);
-            return right ? Outcome::right : Outcome::wrong;
+            return right(questions[k], answers[k] != 0) ? Outcome::right : Outcome::wrong;
         });
         row.question = "segment", row.variant = "embree", row.kind = kind;
-        row.bytes = static_cast<std::uint64_t>(bytes);
+        row.bytes = embree.memory();
         kinds.push_back(std::move(row));
     }
     add_rows(rows, std::move(kinds));
+}
+
+std::vector<EmbreeDisagreement> embree_disagreements(const std::string& folder, const BenchOptions& options) {
+    const BenchSet set = read_bench_set(folder, options);
+    const VisibilityOracle oracle(set.scene, *set.candidates);
+    const EmbreeTriangles embree(set.scene);
+    std::vector<EmbreeDisagreement> found;
+    for (const auto& [kind, segments] : set.segments)
+        for (const BenchSegment& question : segments) {
+            if (right(question, embree.hidden(question.segment))) continue;
+            found.push_back(described(set, oracle, embree, question));
+            found.back().kind = kind;
+        }
+    std::stable_sort(found.begin(), found.end(), [](const EmbreeDisagreement& a, const EmbreeDisagreement& b) {
+        return a.clearance > b.clearance;
+    });
+    return found;
 }
 
 }  // namespace cob
@@ -111,6 +106,10 @@ void bench_embree(const BenchSet& set, const BenchOptions& options, std::vector<
 namespace cob {
 
 void bench_embree(const BenchSet&, const BenchOptions&, std::vector<BenchRow>&) {}
+
+std::vector<EmbreeDisagreement> embree_disagreements(const std::string&, const BenchOptions&) {
+    return {};
+}
 
 }  // namespace cob
 

@@ -45,9 +45,9 @@ public:
         for (PolygonId k = 0; k < scene_->polygon_count(); ++k)
             if (scene_->polygon(k).valid && !callback.call(callback.context, k)) return;
     }
-    void pieces_along(const Point&, const Point&, Callback callback) const override {
+    void pieces_along(const Point&, const Point&, PieceCallback callback) const override {
         for (std::size_t k = 0; k < scene_->pieces().size(); ++k)
-            if (!callback.call(callback.context, static_cast<PieceId>(k))) return;
+            if (!callback.call(callback.context, static_cast<PieceId>(k), false)) return;
     }
     std::size_t memory() const override { return 0; }
 
