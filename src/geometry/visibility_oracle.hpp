@@ -35,7 +35,10 @@ public:
 
     /// False: blocked already, nothing that follows matters. `crossed`: for certain, says the source of the piece.
     bool add(PieceId piece, bool crossed = false) {
-        if (crossed && Signs::exact) return !(blocked_ = true);
+        if (crossed && Signs::exact) {
+            blocker_ = piece;
+            return false;
+        }
         const Touch met = touch(signs_, piece);
         switch (met.kind) {
             case Touch::Kind::none:
