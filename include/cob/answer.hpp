@@ -11,9 +11,15 @@
 
 namespace cob {
 
+/// Other people's code, as a subject: it answers yes or no, in the short forms of the tables (SPEC 7). Embree: is a
+/// segment hidden (`segment,hidden`)? CGAL: do a polygon and the closed box meet (`box,polygon,close`)? Only for
+/// axis-aligned boxes of binary64 corners.
+enum class Peer : std::uint8_t { none, embree, cgal_epick, cgal_epeck };
+
 struct AnswerOptions {
     /// Of the predicates; `exact` gives the golden answers. Questions are read and boxes refused exactly in all.
     Arithmetic arithmetic = Arithmetic::exact;
+    Peer peer = Peer::none;  ///< Who answers instead, one table of questions only.
     Source source = Source::cgal;
     int threads = 0;            ///< 0: one for each processor.
     bool skip_invalid = false;  ///< Refused polygons keep their numbers and occur in no answer.
@@ -34,7 +40,7 @@ struct AnswerSummary {
 /// irradiance.csv (always exactly). Streams: memory does not
 /// grow with the number of questions. The columns from and to of segments.csv must name polygons of the scene, but
 /// are not trusted: the answer is that of the two points. Throws InputError: no scene, no questions, a question that
-/// SPEC refuses, with its line.
+/// SPEC refuses or the peer cannot be asked, with its line; a peer that the program was built without.
 AnswerSummary answer_set(const std::string& set, const std::string& folder, const AnswerOptions& options);
 
 }  // namespace cob

@@ -20,6 +20,12 @@ const std::map<std::string, Arithmetic>& arithmetics() {
     return names;
 }
 
+const std::map<std::string, Peer>& peers() {
+    static const std::map<std::string, Peer> names = {
+        {"embree", Peer::embree}, {"cgal-epick", Peer::cgal_epick}, {"cgal-epeck", Peer::cgal_epeck}};
+    return names;
+}
+
 struct AnswerCommand {
     std::string set, folder, arithmetic = "exact";
     SourceOption source;
@@ -28,9 +34,12 @@ struct AnswerCommand {
     void add_to(CLI::App& command) {
         command.add_option("SET", set, "Folder with scene.obj and boxes.csv, segments.csv or points.csv")->required();
         command
-            .add_option("--arithmetic", arithmetic,
-                        "Arithmetic of the answers; exact: filter first, then exactly; rational: fractions alone")
-            ->check(CLI::IsMember({"exact", "float", "double", "epsilon", "interval", "rational"}));
+            .add_option(
+                "--arithmetic", arithmetic,
+                "Arithmetic of the answers; exact: filter first, then exactly; rational: fractions alone; or other "
+                "people's yes or no: embree of segments (hidden?), cgal-* of axis-aligned boxes (closed box met?)")
+            ->check(CLI::IsMember(
+                {"exact", "float", "double", "epsilon", "interval", "rational", "embree", "cgal-epick", "cgal-epeck"}));
         source.add_to(command);
         add_threads(command, options.threads);
         command.add_flag("--skip-invalid", options.skip_invalid,
@@ -39,7 +48,10 @@ struct AnswerCommand {
     }
 
     void run() {
-        options.arithmetic = arithmetics().at(arithmetic);
+        if (const auto peer = peers().find(arithmetic); peer != peers().end())
+            options.peer = peer->second;
+        else
+            options.arithmetic = arithmetics().at(arithmetic);
         options.source = source.source();
         options.progress = terminal_progress("answering");
         const AnswerSummary summary = answer_set(set, folder, options);

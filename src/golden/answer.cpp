@@ -46,6 +46,11 @@ AnswerSummary answer_set(const std::string& set, const std::string& folder, cons
     create_folder(folder);
     const AnswerJob job{scene, *source, set, folder, options};
     AnswerFiles files;
+    if (options.peer != Peer::none) {
+        answer_by_peer(job, files, summary);
+        files.commit();
+        return summary;
+    }
     if (summary.has_boxes) answer_boxes(job, files, summary);
     if (summary.has_segments) answer_segments(job, files, summary);
     if (summary.has_points) {

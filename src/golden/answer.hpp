@@ -4,6 +4,7 @@
 
 #include "cob/answer.hpp"
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 #include "cob/scene.hpp"
 #include "cob/tables.hpp"
 
@@ -36,11 +37,13 @@ struct AnswerFiles {
     std::optional<TableWriter<StateRow>> states;
     std::optional<TableWriter<RelationRow>> relations;
     std::optional<TableWriter<VisibilityRow>> visibility;
+    std::optional<OutputFile> yes_or_no;  ///< A peer's answers, instead of all others.
 
     void commit() {
         if (states) states->commit();
         if (relations) relations->commit();
         if (visibility) visibility->commit();
+        if (yes_or_no) yes_or_no->commit();
     }
 };
 
@@ -69,5 +72,7 @@ void refuse_unknown_polygon(const Scene& scene, PolygonId polygon);
 /// Each opens its files, fills them and leaves them to be committed.
 void answer_boxes(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary);
 void answer_segments(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary);
+/// The segments by Embree or the boxes by CGAL, as options.peer says.
+void answer_by_peer(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary);
 
 }  // namespace cob

@@ -2,19 +2,16 @@
 // CGAL 5.5 answers wrongly for triangles with two coincident vertices, exact kernels included; the pieces of a scene
 // have none.
 #include "golden/bench_set.hpp"
+#include "golden/cgal_variant.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace cob {
 
-namespace {
-
-/// Corners of a box that is axis-aligned and whose corners are all binary64 numbers.
-std::optional<std::array<double, 6>> cuboid(const BoxQuestion& question) {
+std::optional<std::array<double, 6>> cuboid_of(const BoxQuestion& question) {
     const RationalPoint u = question.u.rational(), first = question.corners.points[0].rational();
     const auto corner = [&](int k) { return question.corners.points[static_cast<std::size_t>(k)].rational(); };
     const RationalPoint n = cross(corner(1) - first, corner(2) - first);
@@ -57,10 +54,15 @@ std::optional<std::array<double, 6>> cuboid(const BoxQuestion& question) {
     return bounds;
 }
 
+namespace {
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
 template <class Kernel>
-class CgalVariant {
+class KernelVariant final : public CgalVariant {
 public:
-    explicit CgalVariant(const Scene& scene) : triangles_(scene.polygons().size()) {
+    explicit KernelVariant(const Scene& scene) : triangles_(scene.polygons().size()) {
         const auto point = [&](VertexId id) {
             const Point& p = scene.position(id);
             return typename Kernel::Point_3(p.x, p.y, p.z);
@@ -79,10 +81,9 @@ public:
             std::vector<const BenchBox*> asked;
             std::vector<typename Kernel::Iso_cuboid_3> cuboids;
             for (const BenchBox& box : boxes)
-                if (const auto b = cuboid(box.question)) {
+                if (const auto corners = cuboid_of(box.question)) {
                     asked.push_back(&box);
-                    cuboids.emplace_back(typename Kernel::Point_3((*b)[0], (*b)[1], (*b)[2]),
-                                         typename Kernel::Point_3((*b)[3], (*b)[4], (*b)[5]));
+                    cuboids.push_back(in_kernel(*corners));
                 }
             std::vector<std::vector<char>> answers(asked.size());
             for (std::size_t k = 0; k < asked.size(); ++k) answers[k].resize(asked[k]->pairs.size());
@@ -105,7 +106,15 @@ public:
         add_rows(rows, std::move(kinds));
     }
 
+    bool meets(PolygonId polygon, const std::array<double, 6>& cuboid) const override {
+        return meets(polygon, in_kernel(cuboid));
+    }
+
 private:
+    static typename Kernel::Iso_cuboid_3 in_kernel(const std::array<double, 6>& corners) {
+        return {typename Kernel::Point_3(corners[0], corners[1], corners[2]),
+                typename Kernel::Point_3(corners[3], corners[4], corners[5])};
+    }
     bool meets(PolygonId polygon, const typename Kernel::Iso_cuboid_3& cuboid) const {
         const auto& triangles = triangles_[static_cast<std::size_t>(polygon)];
         return std::any_of(triangles.begin(), triangles.end(),
@@ -119,8 +128,13 @@ private:
 
 void bench_cgal(const BenchSet& set, const BenchOptions& options, std::vector<BenchRow>& rows) {
     if (set.boxes.empty()) return;
-    CgalVariant<CGAL::Exact_predicates_inexact_constructions_kernel>(set.scene).bench(set, options, "cgal-epick", rows);
-    CgalVariant<CGAL::Exact_predicates_exact_constructions_kernel>(set.scene).bench(set, options, "cgal-epeck", rows);
+    KernelVariant<Epick>(set.scene).bench(set, options, "cgal-epick", rows);
+    KernelVariant<Epeck>(set.scene).bench(set, options, "cgal-epeck", rows);
+}
+
+std::unique_ptr<const CgalVariant> make_cgal_variant(const Scene& scene, Peer kernel) {
+    if (kernel == Peer::cgal_epeck) return std::make_unique<KernelVariant<Epeck>>(scene);
+    return std::make_unique<KernelVariant<Epick>>(scene);
 }
 
 }  // namespace cob

@@ -83,6 +83,31 @@ TEST_F(Answer, AgreesWithClassify) {
     }
 }
 
+// Variants as subjects: other people's code answers yes or no, in the short forms of SPEC 7.
+TEST_F(Answer, ByOtherPeoplesCode) {
+    write_file(set_ + "/boxes.csv", boxes_header +
+                                        "3,0,3,3,0,4,3,0,4,4,0,3,4,0,1,0,0,0.125,0.25\n" +  // under the sheet
+                                        "4,0,0,0,0,1,0,0,1,1,0,0,1,0,1,0,0,0.125,0.25\n");  // beside it
+    write_file(set_ + "/segments.csv", segments_header + "1,4,4,1,4,4,0.125,-1,-1\n2,1,1,1,1,1,0.125,-1,-1\n");
+    for (const char* kernel : {"cgal-epick", "cgal-epeck"}) {
+        const auto run = answer(std::string("--arithmetic ") + kernel);
+        ASSERT_EQ(run.code, 0) << run.error;
+        EXPECT_EQ(text("relations.csv"), "box,polygon,close\n3,1,1\n") << kernel;
+    }
+    const auto run = answer("--arithmetic embree");
+    if (run.code == 0)
+        EXPECT_EQ(text("visibility.csv"), "segment,hidden\n1,1\n2,0\n");
+    else
+        EXPECT_NE(run.error.find("built without Embree"), std::string::npos) << run.error;
+    EXPECT_EQ(files().count("states.csv"), 0U);
+
+    write_file(set_ + "/boxes.csv", boxes_header + "3,0,3,3,0,4,3,0,4,4,0,3,4,0,1,1,0,0.125,0.25\n");
+    const auto refused = answer("--arithmetic cgal-epick");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.error.find("boxes.csv:2"), std::string::npos) << refused.error;
+    EXPECT_NE(refused.error.find("not axis-aligned"), std::string::npos) << refused.error;
+}
+
 // Interval arithmetic alone never errs: what it cannot decide it says.
 TEST_F(Answer, IntervalSaysUndecided) {
     write_file(set_ + "/boxes.csv", boxes_header + "0,0,3,3,0,4,3,0,4,4,0,3,4,0,1,0,0,0,1/4\n");
