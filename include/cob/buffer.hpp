@@ -51,6 +51,8 @@ struct BufferOptions {
     Rational margin = Rational(1, 8);  ///< Of the element's extents, on each side; >= 0 (SPEC 4).
     Rational height = Rational(1, 4);  ///< Of the shorter widened extent; > 0 (SPEC 4).
     BufferMode mode = BufferMode::strict;
+    Arithmetic arithmetic = Arithmetic::exact;  ///< Or rational: the same without filters.
+    bool all_lights = false;                    ///< Test every light for facing every box (BoxClassifier).
 };
 
 /// What building cost; add them up per thread.
@@ -59,6 +61,7 @@ struct BufferStatistics {
     std::uint64_t inherited = 0;           ///< Of these, without a test: around them all was empty or occluded.
     std::uint64_t from_scene = 0;          ///< Of these, from the whole scene.
     std::uint64_t tested = 0;              ///< Candidates whose relation was evaluated.
+    std::uint64_t light_tests = 0;         ///< Facing tests of lights.
     PredicateCounters predicates;
     BufferStatistics& operator+=(const BufferStatistics& other);
 };

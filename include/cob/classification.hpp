@@ -35,9 +35,9 @@ struct Classification {
 /// Classifies boxes one after another, reusing its memory. One thread each.
 class BoxClassifier {
 public:
-    /// The scene must outlive it.
-    explicit BoxClassifier(const Scene& scene, Arithmetic arithmetic = Arithmetic::exact)
-        : scene_(scene), arithmetic_(arithmetic) {}
+    /// The scene must outlive it. all_lights: test every light of the scene for facing every box, not only those that
+    /// are close to it; same answers, more time.
+    explicit BoxClassifier(const Scene& scene, Arithmetic arithmetic = Arithmetic::exact, bool all_lights = false);
 
     /// From the whole scene: every polygon that the source names. Fills the result anew.
     void from_scene(const Box& box, const CandidateSource& source, Classification& result);
@@ -48,15 +48,22 @@ public:
     void among(const Box& box, View<PolygonId> candidates, Classification& result);
 
     const PredicateCounters& counters() const { return counters_; }
+    /// Facing tests made so far.
+    std::uint64_t light_tests() const { return light_tests_; }
 
 private:
+    void begin(const Box& box, Classification& result);
     void test(const Box& box, PolygonId polygon, Classification& result);
+    bool faces(PolygonId light, const Box& box);
     bool bounds_meet(PolygonId polygon, const std::array<double, 6>& bounds) const;
 
     const Scene& scene_;
     Arithmetic arithmetic_;
+    bool all_lights_;
     PredicateCounters counters_;
+    std::uint64_t light_tests_ = 0;
     std::vector<PolygonId> candidates_;
+    std::vector<PolygonId> lights_, facing_;  ///< Of the whole scene, and of these those that face the box.
 };
 
 }  // namespace cob

@@ -65,6 +65,7 @@ struct ClassifyOptions {
     /// In BufferMode::inherit, where the buffers around an element say more than what is near, automatic is polygon.
     BufferLevels levels = BufferLevels::automatic;
     bool relations = true;  ///< Find all neighbours; false: only what the state and its lists need.
+    bool apart = false;     ///< No polygon is near the box of another (Omission::buffers): all is empty without a test.
 };
 
 /// An element's classification.
@@ -84,6 +85,7 @@ struct ClassifyStatistics {
     std::uint64_t around = 0;                 ///< Buffers built around the elements; at block borders some twice.
     std::uint64_t tested = 0;                 ///< Candidates tested for the elements and the buffers around them.
     std::uint64_t compared = 0;               ///< Candidates tested only to compare inherited states.
+    std::uint64_t light_tests = 0;            ///< Facing tests of lights.
     PredicateCounters predicates;
     ClassifyStatistics& operator+=(const ClassifyStatistics& other);
 };

@@ -9,6 +9,7 @@
 #include "cob/arithmetic.hpp"
 #include "cob/buffer.hpp"
 #include "cob/geometry.hpp"
+#include "cob/omissions.hpp"
 #include "cob/scene.hpp"
 
 #include <array>
@@ -70,7 +71,7 @@ struct RadiosityOptions {
     int mixed_samples = 16;    ///< Instead, where some but not all of these are blocked.
     int receiving_points = 1;  ///< Points of an element that receive: 1 (its centroid), 4 or 16.
     bool overshoot = false;    ///< Shoot what is going to arrive, too, as far as the ambient term foresees it.
-    bool keep_all = false;     ///< Leave nothing out that the scene does not need; same result, more time.
+    OmissionSet keep;          ///< What is done although the scene does not need it; same result, more time.
     int threads = 0;           ///< 0: as many as the machine has.
 };
 
@@ -81,13 +82,15 @@ struct RadiosityCounters {
     std::int64_t form_factors = 0;       ///< Closed forms evaluated.
     std::int64_t segments = 0;           ///< Pairs of sample points decided.
     std::int64_t oracle_segments = 0;    ///< Of these, by the exact oracle; the rest were certain in binary64.
-    std::int64_t segments_left_out = 0;  ///< Not needed: nothing can stand between (an empty shaft).
+    std::int64_t segments_left_out = 0;  ///< Not needed: nothing can stand between (a convex scene, an empty shaft).
     std::int64_t skipped_occluded = 0;   ///< Step 1: shots spared at totally occluded elements.
     std::int64_t put_aside = 0;          ///< Step 3: elements refined by the buffer.
     std::int64_t refined_by_gradient = 0;
     std::int64_t refined_for_balance = 0;
     std::int64_t resampled = 0;             ///< Earlier shots sampled anew at children.
     std::array<std::int64_t, 4> buffers{};  ///< Built, by BufferState, of elements and of roots.
+    std::int64_t buffers_left_out = 0;      ///< Known to be empty without: no polygon is near another.
+    std::int64_t light_tests = 0;           ///< Facing tests of lights.
 };
 
 /// Wall-clock seconds by phase.
@@ -111,6 +114,8 @@ struct EnergyBooks {
     // Closure of the form factors: flux given over flux taken, per shot; 1 in a closed scene that is sampled
     // perfectly. Subdivision and sampling anew move flux; `moved` says how much, as a share of all flux given.
     double closure_mean = 0, closure_least = 0, closure_most = 0;
+    double closure_flux = 0;  ///< The same of all flux together: what is off by it is missing or too much in the scene.
+    std::int32_t closure_least_patch = -1, closure_most_patch = -1;  ///< Which patches shot least and most completely.
     double moved = 0;
 };
 
@@ -157,8 +162,8 @@ public:
     Rgb gather(RootId root, double u, double v, int samples) const;
     /// The ambient term: what the unshot flux would add to each exitance, per unit of reflectance.
     Rgb ambient() const;
-    /// What the scene let the solver leave out, one line each.
-    std::vector<std::string> left_out() const;
+    /// What the scene lets the solver leave out, and why.
+    const Omissions& omissions() const;
 
     /// A checkpoint of the whole state; resuming gives the same bytes as going on. Throws InputError where the
     /// text belongs to another scene or other options, or is damaged.

@@ -11,6 +11,7 @@ BufferStatistics& BufferStatistics::operator+=(const BufferStatistics& other) {
     inherited += other.inherited;
     from_scene += other.from_scene;
     tested += other.tested;
+    light_tests += other.light_tests;
     predicates += other.predicates;
     return *this;
 }
@@ -23,13 +24,14 @@ BufferBuilder::~BufferBuilder() = default;
 
 CloseObjectBuffer BufferBuilder::build(const Element& element, BufferStatistics* statistics) {
     const Box box(box_question(scene_, roots_[element.root], element, options_.margin, options_.height));
-    BoxClassifier classifier(scene_);
+    BoxClassifier classifier(scene_, options_.arithmetic, options_.all_lights);
     Classification found;
     classifier.from_scene(box, source_, found);
     if (statistics != nullptr) {
         ++statistics->built[static_cast<std::size_t>(found.state)];
         ++statistics->from_scene;
         statistics->tested += found.tested;
+        statistics->light_tests += classifier.light_tests();
         statistics->predicates += classifier.counters();
     }
     return keep(found);
@@ -49,12 +51,13 @@ CloseObjectBuffer BufferBuilder::build(const Element& element, CloseObjectBuffer
 
     // From the parent's list.
     const Box box(box_question(scene_, roots_[element.root], element, options_.margin, options_.height));
-    BoxClassifier classifier(scene_);
+    BoxClassifier classifier(scene_, options_.arithmetic, options_.all_lights);
     Classification found;
     classifier.among(box, polygons(parent), found);
     if (statistics != nullptr) {
         ++statistics->built[static_cast<std::size_t>(found.state)];
         statistics->tested += found.tested;
+        statistics->light_tests += classifier.light_tests();
         statistics->predicates += classifier.counters();
     }
     return keep(found, parent);

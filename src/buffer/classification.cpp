@@ -22,15 +22,6 @@ const char* to_text(BufferState state) {
 
 namespace {
 
-void clear(Classification& result) {
-    result.decided = true;
-    result.neighbours.clear();
-    result.close.clear();
-    result.cover.clear();
-    result.light.clear();
-    result.tested = 0;
-}
-
 /// A cover shuts the element out unless a close light shines under it (paper, figures 4 and 6).
 BufferState state_of(const Classification& result) {
     if (!result.cover.empty() && result.light.empty()) return BufferState::occluded;
@@ -38,6 +29,12 @@ BufferState state_of(const Classification& result) {
 }
 
 }  // namespace
+
+BoxClassifier::BoxClassifier(const Scene& scene, Arithmetic arithmetic, bool all_lights)
+    : scene_(scene), arithmetic_(arithmetic), all_lights_(all_lights) {
+    for (PolygonId p = 0; all_lights && p < scene.polygon_count(); ++p)
+        if (scene.is_light(p)) lights_.push_back(p);
+}
 
 void BoxClassifier::from_scene(const Box& box, const CandidateSource& source, Classification& result) {
     from_scene(box, source, std::numeric_limits<std::size_t>::max(), result);
@@ -59,14 +56,14 @@ bool BoxClassifier::from_scene(const Box& box, const CandidateSource& source, st
 
     // A tree names them in an order of its own.
     std::sort(candidates_.begin(), candidates_.end());
-    clear(result);
+    begin(box, result);
     for (const PolygonId polygon : candidates_) test(box, polygon, result);
     result.state = state_of(result);
     return true;
 }
 
 void BoxClassifier::among(const Box& box, View<PolygonId> candidates, Classification& result) {
-    clear(result);
+    begin(box, result);
     for (const PolygonId polygon : candidates)
         if (bounds_meet(polygon, box.bounds())) test(box, polygon, result);
     result.state = state_of(result);
@@ -86,6 +83,26 @@ bool BoxClassifier::bounds_meet(PolygonId polygon, const std::array<double, 6>& 
     return true;
 }
 
+void BoxClassifier::begin(const Box& box, Classification& result) {
+    result.decided = true;
+    result.neighbours.clear();
+    result.close.clear();
+    result.cover.clear();
+    result.light.clear();
+    result.tested = 0;
+    facing_.clear();
+    for (const PolygonId light : lights_)
+        if (cob::faces(scene_, light, box, &counters_)) facing_.push_back(light);
+    light_tests_ += lights_.size();
+}
+
+/// Whether a close light faces the element.
+bool BoxClassifier::faces(PolygonId light, const Box& box) {
+    if (all_lights_) return std::binary_search(facing_.begin(), facing_.end(), light);
+    ++light_tests_;
+    return cob::faces(scene_, light, box, &counters_);
+}
+
 void BoxClassifier::test(const Box& box, PolygonId polygon, Classification& result) {
     if (polygon == box.polygon()) return;  // it is never in its own buffer
     ++result.tested;
@@ -96,7 +113,7 @@ void BoxClassifier::test(const Box& box, PolygonId polygon, Classification& resu
     if (!is_close(answer.relation)) return;
     result.close.push_back(polygon);
     if (answer.covers) result.cover.push_back(polygon);
-    if (scene_.is_light(polygon) && faces(scene_, polygon, box, &counters_)) result.light.push_back(polygon);
+    if (scene_.is_light(polygon) && faces(polygon, box)) result.light.push_back(polygon);
 }
 
 }  // namespace cob

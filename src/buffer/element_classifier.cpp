@@ -26,19 +26,30 @@ ClassifyStatistics& ClassifyStatistics::operator+=(const ClassifyStatistics& oth
     around += other.around;
     tested += other.tested;
     compared += other.compared;
+    light_tests += other.light_tests;
     predicates += other.predicates;
     return *this;
 }
 
 ElementClassifier::ElementClassifier(const ElementList& elements, const CandidateSource& source,
                                      const ClassifyOptions& options)
-    : elements_(elements), source_(source), options_(options), classifier_(elements.scene()) {}
+    : elements_(elements),
+      source_(source),
+      options_(options),
+      classifier_(elements.scene(), options.buffer.arithmetic, options.buffer.all_lights) {}
 
 void ElementClassifier::operator()(std::uint64_t number, ClassifiedElement& result) {
     result.element = elements_[number];
     const Root& root = elements_.root_of(result.element);
     result.question =
         box_question(elements_.scene(), root, result.element, options_.buffer.margin, options_.buffer.height);
+    result.inherited.reset();
+    if (options_.apart) {
+        result.found = Classification{};
+        result.found.state = BufferState::empty;
+        ++statistics_.elements[static_cast<std::size_t>(BufferState::empty)];
+        return;
+    }
     const Box box(result.question);
 
     // The buffers around it, then its own, through them.
@@ -47,7 +58,6 @@ void ElementClassifier::operator()(std::uint64_t number, ClassifiedElement& resu
     classify(box, depth_ > 0 ? &around_[depth_ - 1] : nullptr, result.found, compared);
 
     // What the paper's mode says without a test.
-    result.inherited.reset();
     if (inherits_) {
         result.inherited = BufferState::occluded;
         ++statistics_.inherited;
@@ -144,6 +154,7 @@ void ElementClassifier::classify(const Box& box, const Around* around, Classific
 ClassifyStatistics ElementClassifier::statistics() const {
     ClassifyStatistics result = statistics_;
     result.predicates = classifier_.counters();
+    result.light_tests = classifier_.light_tests();
     return result;
 }
 

@@ -19,6 +19,7 @@ struct ClassifyCommand {
     SceneOptions scene;
     MeshingOptions meshing;
     SourceOption source;
+    KeepOptions keep;
     std::string levels = "auto", mode = "strict", folder;
     int threads = 0;
     bool truth = false;
@@ -40,6 +41,7 @@ struct ClassifyCommand {
                         "(inherit), and the difference is reported")
             ->check(CLI::IsMember({"strict", "inherit"}));
         source.add_to(command);
+        keep.add_to(command);
         add_threads(command, threads);
         command.add_flag("--no-boxes", no_boxes, "Leave out boxes.csv");
         command.add_flag("--no-relations", no_relations, "Leave out relations.csv: then only what is close is tested");
@@ -77,8 +79,14 @@ struct ClassifyCommand {
         summary.read_seconds = watch.lap();
         const Roots roots(read_scene);
         const ElementList elements(read_scene, roots, cut);
+        const Omissions omissions(read_scene, roots,
+                                  {keep.set(), options.classify.buffer.margin, options.classify.buffer.height});
+        options.classify.buffer.arithmetic = omissions(Omission::filter) ? Arithmetic::exact : Arithmetic::rational;
+        options.classify.buffer.all_lights = !omissions(Omission::lights);
+        if (levels == "auto" && !omissions(Omission::levels)) options.classify.levels = BufferLevels::polygon;
+        options.classify.apart = omissions(Omission::buffers);
         summary.mesh_seconds = watch.lap();
-        const auto candidates = make_candidates(read_scene, source.source());
+        const auto candidates = make_candidates(read_scene, omissions(Omission::tree) ? Source::all : source.source());
         summary.tree_seconds = watch.lap();
 
         // Buffers.
@@ -110,6 +118,7 @@ struct ClassifyCommand {
                               {"mode", mode},
                               {"source", source.name},
                               {"threads", std::to_string(threads)}};
+        summary.omissions = omissions;
         summary.polygons = static_cast<std::uint64_t>(read_scene.polygon_count());
         summary.skipped = read_scene.invalid().size();
         summary.tree_bytes = candidates->memory();

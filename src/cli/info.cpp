@@ -24,7 +24,8 @@ void run_info(const InfoArguments& arguments) {
     const Scene scene = read_obj(path, {true, arguments.scene.emission == "radiance"}, &read);
     const Census census = take_census(scene);
     const std::vector<PolygonId> decimal = planar_as_decimal(scene, path);
-    const SceneInfo info{scene, read, census, decimal};
+    const Omissions omissions(scene, Roots(scene), {});
+    const SceneInfo info{scene, read, census, decimal, omissions};
     if (!arguments.json.empty()) {
         // Names in files may be in any encoding; JSON is UTF-8.
         constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
@@ -38,7 +39,8 @@ void run_info(const InfoArguments& arguments) {
 void add_info(CLI::App& app) {
     const auto arguments = std::make_shared<InfoArguments>();
     CLI::App* command = app.add_subcommand(
-        "info", "What is in a scene, exactly: polygons, pieces, contacts, and what they need of the machinery");
+        "info",
+        "What is in a scene, exactly: polygons, pieces, contacts, what they need of the machinery, and what not");
     arguments->scene.add_to(*command);
     command->get_option("--skip-invalid")->description("No need to: info lists invalid polygons in any case");
     arguments->scene.add_emission_to(*command);

@@ -78,6 +78,17 @@ Source SourceOption::source() const {
     return Source::cgal;
 }
 
+void KeepOptions::add_to(CLI::App& command) {
+    command.add_option(
+        "--keep", names,
+        "Do what this scene does not need, of " + OmissionSet::all().to_text() + "; same result, slower");
+    command.add_flag("--keep-all", all, "Leave nothing out: same result, slower");
+}
+
+OmissionSet KeepOptions::set() const {
+    return all ? OmissionSet::all() : OmissionSet::parse(names);
+}
+
 void add_threads(CLI::App& command, int& threads) {
     command.add_option("--threads", threads, "Number of threads; 0: one for each processor")
         ->check(CLI::Range(0, 1024));

@@ -5,6 +5,7 @@
 #include "cob/buffer.hpp"
 #include "cob/candidates.hpp"
 #include "cob/classify.hpp"
+#include "cob/omissions.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -46,6 +47,15 @@ struct SourceOption {
 
     void add_to(CLI::App& command);
     Source source() const;
+};
+
+/// --keep and --keep-all: what is done although the scene does not need it.
+struct KeepOptions {
+    std::string names;
+    bool all = false;
+
+    void add_to(CLI::App& command);
+    OmissionSet set() const;
 };
 
 /// The path itself where it ends in .csv, else the table of that name in the folder, which is created.

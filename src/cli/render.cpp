@@ -1,5 +1,6 @@
 /// cob render: progressive refinement radiosity and its pictures (SPEC 8).
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
@@ -33,6 +34,7 @@ struct Arguments {
     std::string refine = "both", strength = "exitance", buffer_levels = "tree", mode = "strict";
     std::string emission = "exitance", margin = "0.125", height = "0.25";
     bool skip_invalid = false;
+    KeepOptions keep;
     std::vector<double> gradient_threshold{0.25};
     std::vector<double> position, target, up, line;
     int line_points = 200, line_samples = 64;
@@ -65,6 +67,7 @@ RadiosityOptions solver_options(const Arguments& arguments) {
     options.buffer.mode = choice(modes, arguments.mode);
     options.buffer.margin = exact_number("--margin", arguments.margin, false);
     options.buffer.height = exact_number("--height", arguments.height, true);
+    options.keep = arguments.keep.set();
     if (arguments.elements > 0) options.stop.elements = arguments.elements;
     const std::vector<double>& threshold = arguments.gradient_threshold;
     if (threshold.size() != 1 && threshold.size() != 3)
@@ -262,8 +265,7 @@ void add_render(CLI::App& app) {
     command->add_flag("--overshoot", o.overshoot, "Shoot what is going to arrive, too: fewer shots")
         ->group("Transport");
     command->add_flag("--skip-invalid", a.skip_invalid, "Leave polygons out that SPEC 2 refuses")->group("Transport");
-    command->add_flag("--keep-all", o.keep_all, "Leave nothing out that the scene does not need: same result, slower")
-        ->group("Transport");
+    a.keep.add_to(*command);
     command->add_option("--threads", o.threads, "0: all; the result is the same")
         ->check(CLI::NonNegativeNumber)
         ->group("Transport");

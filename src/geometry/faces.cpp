@@ -1,25 +1,11 @@
 // Which lights face an element (SPEC 5), exactly.
 #include "arithmetic/orientation.hpp"
 #include "geometry/prepared_box.hpp"
+#include "scene/piece_plane.hpp"
 
 #include <array>
 
 namespace cob {
-namespace {
-
-/// Three corners of a convex piece that are not on one line, in its order.
-std::array<Point, 3> plane_of(const Scene& scene, const Piece& piece) {
-    const View<VertexId> corners = scene.corners(piece);
-    const auto corner = [&](std::ptrdiff_t i) { return scene.position(corners[i]); };
-    const auto count = static_cast<std::ptrdiff_t>(corners.size());
-    // From the second corner on one is off the line of the first side, else there would be no area.
-    std::ptrdiff_t third = 2;
-    while (third + 1 < count && collinear(corner(0), corner(1), corner(third))) ++third;
-    return {corner(0), corner(1), corner(third)};
-}
-
-}  // namespace
-
 bool faces(const Scene& scene, PolygonId light, const Box& box, PredicateCounters* counters) {
     const Corners& corners = box.prepared().question.corners;
     for (const Piece& piece : scene.pieces_of(light)) {

@@ -2,6 +2,7 @@
 #include "arithmetic/orientation.hpp"
 #include "geometry/convex_polygon.hpp"
 #include "geometry/shaft.hpp"
+#include "scene/piece_plane.hpp"
 
 #include <algorithm>
 
@@ -19,15 +20,6 @@ struct Sides {
         return std::all_of(of_corner.begin(), of_corner.end(), [](Sign s) { return s == Sign::zero; });
     }
 };
-
-/// Three corners of the piece that span its plane, counter-clockwise.
-std::array<Point, 3> plane_of(const Scene& scene, const Piece& piece) {
-    const View<VertexId> loop = scene.corners(piece);
-    const auto at = [&](std::size_t k) { return scene.position(loop[k]); };
-    std::size_t third = 2;
-    while (third + 1 < loop.size() && collinear(at(0), at(1), at(third))) ++third;
-    return {at(0), at(1), at(third)};
-}
 
 Sides sides_of(const std::array<Point, 3>& plane, const ConvexPatch& patch) {
     Sides sides;

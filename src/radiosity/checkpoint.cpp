@@ -13,7 +13,7 @@ using namespace radiosity;
 
 namespace {
 
-constexpr char magic[] = "cob checkpoint 1\n";
+constexpr char magic[] = "cob checkpoint 2\n";
 
 class Writer {
 public:
@@ -93,7 +93,6 @@ std::uint64_t fingerprint(const Scene& scene, const RadiosityOptions& o) {
     all.value(o.mixed_samples);
     all.value(o.receiving_points);
     all.value(o.overshoot);
-    all.value(o.keep_all);
     return fingerprint(all.text);
 }
 
@@ -116,7 +115,10 @@ std::string RadiositySolver::State::checkpoint() const {
         out.list(cell.sights);
     }
     for (const CloseObjectBuffer& buffer : root_buffers) out.value(static_cast<std::uint8_t>(buffer.is_built()));
-    for (const double x : {flux_given, flux_moved, closure_sum, closure_least, closure_most}) out.value(x);
+    for (const double x : {flux_given, flux_moved, flux_taken, flux_arrived, closure_sum, closure_least, closure_most})
+        out.value(x);
+    out.value(closure_least_patch);
+    out.value(closure_most_patch);
     out.value(counters);
     out.value(times);
     return magic + std::to_string(fingerprint(out.text)) + "\n" + out.text;
@@ -161,21 +163,20 @@ void RadiositySolver::State::resume(const std::string& text) {
         in.list(cells[k].sights);
     }
     for (std::uint8_t& b : root_built) in.value(b);
-    for (double* x : {&flux_given, &flux_moved, &closure_sum, &closure_least, &closure_most}) in.value(*x);
+    for (double* x :
+         {&flux_given, &flux_moved, &flux_taken, &flux_arrived, &closure_sum, &closure_least, &closure_most})
+        in.value(*x);
+    in.value(closure_least_patch);
+    in.value(closure_most_patch);
     in.value(counters);
     in.value(times);
     in.end();
 
     // In the order in which they were built first: roots, then elements from the outside in.
     for (std::size_t k = 0; k < root_buffers.size(); ++k)
-        if (root_built[k] != 0) root_buffers[k] = builder->build(root_element(static_cast<RootId>(k)));
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        if (built[k] == 0) continue;
-        const auto id = static_cast<NodeId>(k);
-        const CloseObjectBuffer parent = around(id);
-        const Element& element = mesh->node(id).element;
-        cells[k].buffer = parent.is_built() ? builder->build(element, parent) : builder->build(element);
-    }
+        if (root_built[k] != 0) root_buffers[k] = build_root_buffer(static_cast<RootId>(k));
+    for (std::size_t k = 0; k < cells.size(); ++k)
+        if (built[k] != 0) cells[k].buffer = build_buffer(static_cast<NodeId>(k));
 }
 
 }  // namespace cob

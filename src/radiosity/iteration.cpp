@@ -16,6 +16,12 @@ namespace {
 /// factors, a few thousandths, times their number passes 1, and the overshooting never ends (rho = 0.9999).
 constexpr double most_foreseen_reflectance = 0.995;
 
+Classification nothing_close() {
+    Classification result;
+    result.state = BufferState::empty;
+    return result;
+}
+
 }  // namespace
 
 bool RadiositySolver::State::stopped() const {
@@ -46,12 +52,12 @@ NodeId RadiositySolver::State::brightest_patch() const {
     const Rgb foreseen = options.overshoot ? ambient(most_foreseen_reflectance) : Rgb{};
     NodeId best = -1;
     double most = 0;
-    for (std::size_t p = 0; p < unshot_flux.size(); ++p) {
-        const Rgb shot = flux_to_shoot(static_cast<NodeId>(p), foreseen);
+    for (const NodeId patch : shooters) {
+        const Rgb shot = flux_to_shoot(patch, foreseen);
         const double flux = std::fabs(shot[0]) + std::fabs(shot[1]) + std::fabs(shot[2]);
-        if (flux > most && area(static_cast<NodeId>(p)) > 0) {
+        if (flux > most && area(patch) > 0) {
             most = flux;
-            best = static_cast<NodeId>(p);
+            best = patch;
         }
     }
     return best;
@@ -118,8 +124,8 @@ void RadiositySolver::State::bring(const Shot& shot) {
             counters.oracle_segments += batch.counters.oracle_segments;
             counters.segments_left_out += batch.counters.segments_left_out;
             counters.skipped_occluded += batch.counters.skipped_occluded;
-            for (std::size_t k = 0; k < 4; ++k)
-                counters.buffers[k] += static_cast<std::int64_t>(batch.statistics.built[k]);
+            counters.buffers_left_out += batch.counters.buffers_left_out;
+            count(batch.statistics);
         }
         const PhaseTimer timer(times.refinement);
         batches = refine_put_aside(batches);
@@ -128,8 +134,16 @@ void RadiositySolver::State::bring(const Shot& shot) {
     flux_given += std::fabs(given);
     const double closure = given / taken;
     closure_sum += closure;
-    closure_least = counters.shots == 1 ? closure : std::min(closure_least, closure);
-    closure_most = counters.shots == 1 ? closure : std::max(closure_most, closure);
+    flux_taken += std::fabs(taken);
+    flux_arrived += std::fabs(given);
+    if (closure_least_patch < 0 || closure < closure_least) {
+        closure_least = closure;
+        closure_least_patch = shot.patch;
+    }
+    if (closure_most_patch < 0 || closure > closure_most) {
+        closure_most = closure;
+        closure_most_patch = shot.patch;
+    }
 }
 
 /// Steps 1 and 2 of the paper's section 5, as far as they need no new buffer.
@@ -150,7 +164,7 @@ void RadiositySolver::State::decide(const Shot& shot, Batch& batch) const {
         // Step 2: a weak interaction, or an element that is small enough: shoot.
         work.action = Work::Action::shoot;
         if (!uses_buffer() || is_full() ||
-            mesh->longest_side(work.leaf) <= std::scalbn(options.buffer.minimum_edge, -mesh->exponent()))
+            cell.longest_side <= std::scalbn(options.buffer.minimum_edge, -mesh->exponent()))
             continue;
         if (mesh->node(work.leaf).element.level_i >= 29 || mesh->node(work.leaf).element.level_j >= 29) continue;
         if (!is_strong(shot, work)) continue;
@@ -180,13 +194,14 @@ bool RadiositySolver::State::is_strong(const Shot& shot, const Work& work) const
         case Strength::paper: {
             // From centre to centre, without the shooter's exitance.
             const double third = 1.0 / 3;
-            const bool triangle = mesh->node(work.leaf).corner_count() == 3, from_triangle = shot.corner_count == 3;
+            const bool triangle = mesh->node(work.leaf).corner_count() == 3,
+                       from_triangle = shot.shape.corner_count == 3;
             const Point from = transport->point(work.leaf, triangle ? third : 0.5, triangle ? third : 0.5);
             const Point to = transport->point(shot.patch, from_triangle ? third : 0.5, from_triangle ? third : 0.5);
             const Point d = to - from;
             const Planes& planes = transport->planes();
             const PieceId piece = roots[mesh->node(work.leaf).element.root].piece;
-            const double cosines = dot(planes.normal(piece), d) * -dot(planes.normal(shot.piece), d);
+            const double cosines = dot(planes.normal(piece), d) * -dot(planes.normal(shot.shape.piece), d);
             strength = sum(m.reflectance) / 3 * std::max(cosines, 0.0) * area(shot.patch) /
                        (3.14159265358979323846 * dot(d, d) * dot(d, d));
             reference = 1;
@@ -207,6 +222,18 @@ CloseObjectBuffer RadiositySolver::State::around(NodeId leaf) const {
     return root_buffers[static_cast<std::size_t>(node.element.root)];
 }
 
+CloseObjectBuffer RadiositySolver::State::build_root_buffer(RootId root, BufferStatistics* statistics) {
+    if (omissions(Omission::buffers)) return builder->keep(nothing_close());
+    return builder->build(root_element(root), statistics);
+}
+
+CloseObjectBuffer RadiositySolver::State::build_buffer(NodeId leaf, BufferStatistics* statistics) {
+    if (omissions(Omission::buffers)) return builder->keep(nothing_close());
+    const CloseObjectBuffer parent = around(leaf);
+    const Element& element = mesh->node(leaf).element;
+    return parent.is_built() ? builder->build(element, parent, statistics) : builder->build(element, statistics);
+}
+
 /// Step 3: builds what is asked for, then begins again at step 1: the buffer may have turned out occluded.
 void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
     // The buffers over whole pieces first (section 7), each the first time it is needed.
@@ -225,12 +252,10 @@ void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
         std::vector<BufferStatistics> statistics(needed.size());
         arena_.execute([&] {
             tbb::parallel_for(std::size_t(0), needed.size(), [&](std::size_t k) {
-                root_buffers[static_cast<std::size_t>(needed[k])] =
-                    builder->build(root_element(needed[k]), &statistics[k]);
+                root_buffers[static_cast<std::size_t>(needed[k])] = build_root_buffer(needed[k], &statistics[k]);
             });
         });
-        for (const BufferStatistics& s : statistics)
-            for (std::size_t k = 0; k < 4; ++k) counters.buffers[k] += static_cast<std::int64_t>(s.built[k]);
+        for (const BufferStatistics& s : statistics) count(s);
     }
 
     arena_.execute([&] {
@@ -240,10 +265,8 @@ void RadiositySolver::State::build_buffers(std::vector<Batch>& batches) {
                 if (work.action != Work::Action::ask_buffer) continue;
                 Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
                 if (!cell.buffer.is_built()) {
-                    const CloseObjectBuffer parent = around(work.leaf);
-                    const Element& element = mesh->node(work.leaf).element;
-                    cell.buffer = parent.is_built() ? builder->build(element, parent, &batches[k].statistics)
-                                                    : builder->build(element, &batches[k].statistics);
+                    cell.buffer = build_buffer(work.leaf, &batches[k].statistics);
+                    if (omissions(Omission::buffers)) ++batches[k].counters.buffers_left_out;
                 }
                 switch (cell.buffer.state()) {
                     case BufferState::occluded:
@@ -285,18 +308,26 @@ void RadiositySolver::State::shoot(const Shot& shot, Batch& batch) {
         }
         if (!found) transport->find_between(shot, batch.patch, scratch);
         found = true;
-        const Reception reception = transport->receive(shot, work.leaf, scratch);
+        const Reception reception = transport->receive(shot, work.leaf, scratch, work.form_factor);
         ++batch.counters.interactions;
         if (options.refinement != Refinement::none) set_sight(cell.sights, number, reception.sight);
         const Material& m = material(work.leaf);
-        for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t c = 0; c < channels_; ++c) {
             const double irradiance = shot.exitance[c] * reception.form_factor;
             cell.irradiance[c] += irradiance;
             batch.given[c] += cell.area * irradiance;
             batch.reflected[c] += cell.area * m.reflectance[c] * irradiance;
         }
+        spread(cell.irradiance);
     }
+    spread(batch.given);
+    spread(batch.reflected);
     count(scratch, batch.counters);
+}
+
+void RadiositySolver::State::count(const BufferStatistics& statistics) {
+    for (std::size_t k = 0; k < 4; ++k) counters.buffers[k] += static_cast<std::int64_t>(statistics.built[k]);
+    counters.light_tests += static_cast<std::int64_t>(statistics.light_tests);
 }
 
 void RadiositySolver::State::count(const TransportScratch& scratch, RadiosityCounters& into) const {

@@ -1,6 +1,7 @@
 #include "radiosity/plane_sheets.hpp"
 
 #include "arithmetic/orientation.hpp"
+#include "scene/piece_plane.hpp"
 
 #include <algorithm>
 
@@ -18,21 +19,6 @@ Rational doubled_area(const Scene& scene, PolygonId polygon, const View2& view) 
         sum += coordinate(k, view.first) * coordinate(k + 1, view.second) -
                coordinate(k + 1, view.first) * coordinate(k, view.second);
     return sum;
-}
-
-/// Three corners of the polygon's first piece that span its plane.
-std::array<Point, 3> plane_of(const Scene& scene, PolygonId polygon) {
-    const Piece& piece = scene.pieces_of(polygon).front();
-    const View<VertexId> loop = scene.corners(piece);
-    const Polygon& shape = scene.polygon(polygon);
-    const auto seen = [&](VertexId v) {
-        const Point& p = scene.position(v);
-        return Point2{p[shape.view.first], p[shape.view.second]};
-    };
-    for (std::size_t k = 2; k < loop.size(); ++k)
-        if (orientation(seen(loop[0]), seen(loop[1]), seen(loop[k])) != Sign::zero)
-            return {scene.position(loop[0]), scene.position(loop[1]), scene.position(loop[k])};
-    return {scene.position(loop[0]), scene.position(loop[1]), scene.position(loop[2])};
 }
 
 bool lies_in(const Scene& scene, PolygonId polygon, const std::array<Point, 3>& plane) {
@@ -77,7 +63,7 @@ std::vector<PolygonId> sheets_on_top(const Scene& scene, PolygonId polygon, cons
              return true;
          }});
     std::vector<PolygonId> result;
-    const std::array<Point, 3> plane = plane_of(scene, polygon);
+    const std::array<Point, 3> plane = plane_of(scene, scene.pieces_of(polygon).front());
     std::optional<Rational> area;
     for (PolygonId other : search.found) {
         if (!lies_in(scene, other, plane)) continue;

@@ -14,6 +14,8 @@ namespace {
 /// of rounding, which each factor feels.
 constexpr double relative_error = 2e-15;
 constexpr double coordinate_error = 0x1p-50;
+/// Far above what coordinates are off by, far below what matters.
+constexpr double bounds_slack = 0x1p-48;
 
 double length1(const Point& p) {
     return std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
@@ -23,13 +25,6 @@ std::optional<Sign> certain(double value, double error) {
     if (value > error) return Sign::positive;
     if (value < -error) return Sign::negative;
     return std::nullopt;
-}
-
-/// Side of the line from x to y that the line from p to q passes on.
-std::optional<Sign> turn(const Point& x, const Point& y, const Point& p, const Point& q) {
-    const Point d = y - x, e = p - x, f = q - x;
-    const double a = length1(d), b = length1(e), c = length1(f);
-    return certain(dot(cross(d, e), f), relative_error * a * b * c + 2 * coordinate_error * (a * b + b * c + c * a));
 }
 
 bool on_one_line(const Point& a, const Point& b, const Point& c) {
@@ -48,7 +43,7 @@ Planes::Planes(const Scene& scene, int exponent) : scene_(scene) {
         std::vector<Point> corners;
         for (const VertexId v : loop) corners.push_back(unit(scene.position(v)));
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        std::array<double, 6> bounds{infinity, infinity, infinity, -infinity, -infinity, -infinity};
+        Bounds bounds{infinity, infinity, infinity, -infinity, -infinity, -infinity};
         for (const Point& p : corners)
             for (int axis = 0; axis < 3; ++axis) {
                 const auto k = static_cast<std::size_t>(axis);
@@ -92,34 +87,54 @@ Sign Planes::exact_side(PieceId id, const ExactPoint& point) const {
     return sign_of(dot(cross(at(1) - origin, at(2) - origin), point.rational() - origin));
 }
 
-bool Planes::wholly_behind(PieceId piece, PieceId id) const {
+Planes::ClosedSides Planes::closed_sides(PieceId piece, PieceId id) const {
     const Plane& plane = planes_[static_cast<std::size_t>(id)];
     const std::vector<Point>& points = corners(piece);
     const View<VertexId> loop = scene_.corners(scene_.piece(piece));
-    for (std::size_t k = 0; k < points.size(); ++k) {
+    ClosedSides result;
+    for (std::size_t k = 0; k < points.size() && (result.before || result.behind); ++k) {
         const std::optional<Sign> quick = side(id, points[k]);
         const Sign sign = quick ? *quick
                                 : orientation(scene_.position(plane.vertices[0]), scene_.position(plane.vertices[1]),
                                               scene_.position(plane.vertices[2]), scene_.position(loop[k]));
-        if (sign == Sign::positive) return false;
+        result.behind = result.behind && sign != Sign::positive;
+        result.before = result.before && sign != Sign::negative;
     }
-    return true;
+    return result;
 }
 
-Crossing Planes::crossing(PieceId id, const Point& from, std::optional<Sign> side_from, const Point& to) const {
-    const std::optional<Sign> side_to = side(id, to);
+Crossing Planes::crossing(PieceId id, const Point& from, std::optional<Sign> side_from, const Point& to,
+                          std::optional<Sign> side_to) const {
     if (side_from && side_to && *side_from == *side_to) return Crossing::misses;
+    const Bounds& bounds = bounds_[static_cast<std::size_t>(id)];
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        if (std::min(from[axis], to[axis]) > bounds[k + 3] + bounds_slack ||
+            std::max(from[axis], to[axis]) < bounds[k] - bounds_slack)
+            return Crossing::misses;
+    }
 
-    // The line turns the same way about every side of a convex piece that it pierces, both ways about one it misses.
+    // The line turns the same way about every side of a convex piece that it pierces, both ways about one it misses:
+    // the sign of det(to - from, a - from, b - from) for the side from a to b.
     const std::vector<Point>& loop = corners(id);
+    const Point d = to - from;
+    const double length = length1(d);
     bool left = false, right = false, unsure = false;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-        const std::optional<Sign> sign = turn(from, to, loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]);
-        if (!sign)
+    Point a = loop.back() - from;
+    double length_a = length1(a);
+    for (const Point& corner : loop) {
+        const Point b = corner - from;
+        const double length_b = length1(b), product = length_a * length_b;
+        const std::optional<Sign> turn =
+            certain(dot(d, cross(a, b)), relative_error * length * product +
+                                             2 * coordinate_error * (length * (length_a + length_b) + product));
+        if (!turn)
             unsure = true;
         else
-            (*sign == Sign::positive ? left : right) = true;
+            (*turn == Sign::positive ? left : right) = true;
         if (left && right) return Crossing::misses;
+        a = b;
+        length_a = length_b;
     }
     return !unsure && side_from && side_to ? Crossing::pierces : Crossing::unknown;
 }

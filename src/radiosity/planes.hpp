@@ -5,6 +5,7 @@
 
 #include "cob/arithmetic.hpp"
 #include "cob/scene.hpp"
+#include "radiosity/shaft.hpp"
 
 #include <array>
 #include <cstdint>
@@ -21,7 +22,7 @@ public:
     Planes(const Scene& scene, int exponent);
 
     const std::vector<Point>& corners(PieceId piece) const { return corners_[static_cast<std::size_t>(piece)]; }
-    const std::array<double, 6>& bounds(PieceId piece) const { return bounds_[static_cast<std::size_t>(piece)]; }
+    const Bounds& bounds(PieceId piece) const { return bounds_[static_cast<std::size_t>(piece)]; }
     /// Unit normal to the visible side, rounded.
     const Point& normal(PieceId piece) const { return normals_[static_cast<std::size_t>(piece)]; }
 
@@ -29,11 +30,16 @@ public:
     std::optional<Sign> side(PieceId plane, const Point& rounded) const;
     /// The same exactly, of a point in scene coordinates.
     Sign exact_side(PieceId plane, const ExactPoint& point) const;
-    /// No corner of the piece lies strictly in front of the plane; exact.
-    bool wholly_behind(PieceId piece, PieceId plane) const;
+    /// On which closed sides of a plane a piece lies; exact. Both: in the plane.
+    struct ClosedSides {
+        bool before = true;  ///< No corner lies strictly behind it.
+        bool behind = true;  ///< No corner lies strictly in front of it.
+    };
+    ClosedSides closed_sides(PieceId piece, PieceId plane) const;
 
-    /// The ends are off by a few roundings. side_from: side() of the beginning.
-    Crossing crossing(PieceId piece, const Point& from, std::optional<Sign> side_from, const Point& to) const;
+    /// The ends are off by a few roundings. The sides are those of side(), as far as they are known.
+    Crossing crossing(PieceId piece, const Point& from, std::optional<Sign> side_from, const Point& to,
+                      std::optional<Sign> side_to) const;
 
 private:
     struct Plane {
@@ -46,7 +52,7 @@ private:
     std::vector<Plane> planes_;
     std::vector<Point> normals_;
     std::vector<std::vector<Point>> corners_;
-    std::vector<std::array<double, 6>> bounds_;
+    std::vector<Bounds> bounds_;
 };
 
 }  // namespace cob::radiosity

@@ -100,7 +100,7 @@ void RadiositySolver::State::refine_by_gradient() {
             for (const NodeId leaf : of_patch) {
                 const Cell& cell = cells[static_cast<std::size_t>(leaf)];
                 if (cell.cover.kind == Cover::Kind::wholly || cell.buffer.state() == BufferState::occluded) continue;
-                if (mesh->longest_side(leaf) <= shortest || mesh->node(leaf).element.level_i >= 29 ||
+                if (cell.longest_side <= shortest || mesh->node(leaf).element.level_i >= 29 ||
                     mesh->node(leaf).element.level_j >= 29)
                     continue;
                 // The difference of exitance between corners against its mean, channel by channel.
@@ -195,7 +195,8 @@ void RadiositySolver::State::take_over(NodeId parent, std::size_t shot_count, Tr
                 ++scratch.resampled;
             }
             set_sight(cell.sights, number, reception.sight);
-            for (std::size_t c = 0; c < 3; ++c) cell.irradiance[c] += shot.exitance[c] * reception.form_factor;
+            for (std::size_t c = 0; c < channels_; ++c) cell.irradiance[c] += shot.exitance[c] * reception.form_factor;
+            spread(cell.irradiance);
         }
     }
 }

@@ -48,6 +48,21 @@ Shaft::Shaft(const Bounds& a, const Bounds& b) {
             }
 }
 
+bool Shaft::may_meet(const Bounds3& box) const {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        if (box.low[axis] > both_[i + 3] || box.high[axis] < both_[i]) return false;
+    }
+    for (int k = 0; k < side_count_; ++k) {
+        // The corner that lies least far out.
+        const Side& side = sides_[static_cast<std::size_t>(k)];
+        const double first = side.a > 0 ? box.low[side.first] : box.high[side.first];
+        const double second = side.b > 0 ? box.low[side.second] : box.high[side.second];
+        if (side.a * first + side.b * second > side.c) return false;
+    }
+    return true;
+}
+
 bool Shaft::may_meet(const Bounds& bounds, const std::vector<Point>& corners) const {
     for (std::size_t i = 0; i < 3; ++i)
         if (bounds[i] > both_[i + 3] || bounds[i + 3] < both_[i]) return false;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cob/arithmetic.hpp"
+#include "scene/box_tree.hpp"
 
 #include <array>
 #include <vector>
@@ -22,6 +23,8 @@ public:
     const Bounds& bounds() const { return both_; }
     /// False only where the convex hull of the corners certainly misses the hull of both boxes.
     bool may_meet(const Bounds& bounds, const std::vector<Point>& corners) const;
+    /// The same of a box.
+    bool may_meet(const Bounds3& box) const;
 
 private:
     /// Parallel to an axis, supporting both boxes; outside where a p[first] + b p[second] > c.

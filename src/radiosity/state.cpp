@@ -33,17 +33,22 @@ int default_threads() {
 
 RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_options)
     : scene(a_scene),
-      options(std::move(some_options)),
+      options(checked(a_scene, std::move(some_options))),
       roots(a_scene),
+      omissions(a_scene, roots, {options.keep, options.buffer.margin, options.buffer.height}),
+      channels_(omissions(Omission::grey) ? 1 : 3),
       arena_(options.threads > 0 ? options.threads : default_threads()) {
     const PhaseTimer timer(times.meshing);
-    check_options();
-    candidates = make_candidates(scene, scene.polygon_count() <= 32 ? Source::all : Source::cgal);
+    candidates = make_candidates(scene, omissions(Omission::tree) ? Source::all : Source::cgal);
     mesh = std::make_unique<Mesh>(scene, roots, options.patch_edge, options.light_edge);
     sheets = std::make_unique<Sheets>(scene, *candidates);
-    arena_.execute([&] { transport = std::make_unique<Transport>(scene, *mesh, *candidates, *sheets, options); });
+    arena_.execute(
+        [&] { transport = std::make_unique<Transport>(scene, *mesh, *candidates, *sheets, options, omissions); });
     builder = std::make_unique<BufferBuilder>(
-        scene, roots, *candidates, BufferOptions{options.buffer.margin, options.buffer.height, options.buffer.mode});
+        scene, roots, *candidates,
+        BufferOptions{options.buffer.margin, options.buffer.height, options.buffer.mode,
+                      omissions(Omission::filter) ? Arithmetic::exact : Arithmetic::rational,
+                      !omissions(Omission::lights)});
     root_buffers.resize(static_cast<std::size_t>(roots.size()));
     add_cells();
 
@@ -54,6 +59,7 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
     for (std::size_t p = 0; p < patches; ++p) {
         const auto id = static_cast<NodeId>(p);
         leaves[p] = {id};
+        if (!(omissions(Omission::black) && is_black(material(id)))) shooters.push_back(id);
         for (std::size_t c = 0; c < 3; ++c) {
             unshot_flux[p][c] = area(id) * material(id).emitted_exitance[c];
             emitted_flux[c] += unshot_flux[p][c];
@@ -61,7 +67,7 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
     }
 }
 
-void RadiositySolver::State::check_options() {
+RadiosityOptions RadiositySolver::State::checked(const Scene& scene, RadiosityOptions options) {
     const auto refuse = [&](const std::string& problem, const std::string& value, const std::string& remedy) {
         throw InputError(problem, {scene.name(), 0, value, remedy});
     };
@@ -89,6 +95,7 @@ void RadiositySolver::State::check_options() {
             refuse("samples of a patch come in grids", std::to_string(samples), "choose 1, 4, 16 or 64");
     if (o.receiving_points != 1 && o.receiving_points != 4 && o.receiving_points != 16)
         refuse("receiving points come in grids", std::to_string(o.receiving_points), "choose 1, 4 or 16");
+    return options;
 }
 
 bool RadiositySolver::State::uses_buffer() const {
@@ -106,6 +113,7 @@ void RadiositySolver::State::add_cells() {
         const Element& element = mesh->node(id).element;
         cell.cover = sheets->cover(roots[element.root], element);
         cell.area = mesh->area(id) * cell.cover.visible_share;
+        cell.longest_side = mesh->longest_side(id);
         cells.push_back(std::move(cell));
     }
 }
@@ -164,6 +172,9 @@ EnergyBooks RadiositySolver::State::books() const {
     books.closure_mean = closure_sum / count;
     books.closure_least = closure_least;
     books.closure_most = closure_most;
+    books.closure_flux = flux_taken > 0 ? flux_arrived / flux_taken : 0;
+    books.closure_least_patch = closure_least_patch;
+    books.closure_most_patch = closure_most_patch;
     books.moved = flux_given > 0 ? flux_moved / flux_given : 0;
     return books;
 }
@@ -222,8 +233,8 @@ std::vector<Rgb> RadiositySolver::vertex_exitance() const {
 Rgb RadiositySolver::ambient() const {
     return state_->ambient();
 }
-std::vector<std::string> RadiositySolver::left_out() const {
-    return state_->left_out();
+const Omissions& RadiositySolver::omissions() const {
+    return state_->omissions;
 }
 std::string RadiositySolver::checkpoint() const {
     return state_->checkpoint();
@@ -262,17 +273,6 @@ std::size_t RadiositySolver::buffer_bytes() const {
 
 std::size_t RadiositySolver::buffer_count() const {
     return state_->cells.size() + state_->root_buffers.size();
-}
-
-std::vector<std::string> RadiositySolver::State::left_out() const {
-    std::vector<std::string> result;
-    if (options.keep_all) return result;
-    if (counters.segments_left_out > 0)
-        result.push_back("segments between shooters and patches with nothing in the shaft between them: " +
-                         std::to_string(counters.segments_left_out));
-    if (!sheets->any()) result.push_back("sheets in one plane: no two polygons overlap so");
-    if (scene.polygon_count() <= 32) result.push_back("a tree over the polygons: there are few");
-    return result;
 }
 
 }  // namespace cob

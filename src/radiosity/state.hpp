@@ -42,7 +42,6 @@ public:
     EnergyBooks books() const;
     std::vector<Rgb> vertex_exitance() const;
     Rgb ambient(double most_reflectance = 1) const;
-    std::vector<std::string> left_out() const;
     std::string checkpoint() const;
     void resume(const std::string& text);
 
@@ -52,8 +51,9 @@ public:
 
     /// What the solver knows of a patch or an element.
     struct Cell {
-        Rgb irradiance{};  ///< W/m2, of a leaf.
-        double area = 0;   ///< In square units.
+        Rgb irradiance{};         ///< W/m2, of a leaf.
+        double area = 0;          ///< In square units.
+        double longest_side = 0;  ///< In units.
         radiosity::Cover cover;
         CloseObjectBuffer buffer;
         std::vector<std::uint8_t> sights;  ///< Of a leaf: Sight of each shot, four a byte.
@@ -62,6 +62,7 @@ public:
     const Scene& scene;
     RadiosityOptions options;
     Roots roots;
+    Omissions omissions;
     std::unique_ptr<CandidateSource> candidates;
     std::unique_ptr<radiosity::Mesh> mesh;
     std::unique_ptr<radiosity::Sheets> sheets;
@@ -71,12 +72,15 @@ public:
     std::vector<Cell> cells;  ///< By node.
     std::vector<CloseObjectBuffer> root_buffers;
     std::vector<std::vector<radiosity::NodeId>> leaves;  ///< By patch.
+    std::vector<radiosity::NodeId> shooters;             ///< Patches that may ever have something to shoot.
     std::vector<Rgb> unshot_flux, shot_flux;             ///< By patch, in W per (scene unit / unit)^2.
     std::vector<radiosity::Shot> shots;
     std::vector<radiosity::NodeId> splits;  ///< In order: the mesh's history.
     Rgb emitted_flux{};
     double flux_given = 0, flux_moved = 0;  ///< Sums over channels of what elements received, and of corrections.
     double closure_sum = 0, closure_least = 0, closure_most = 0;
+    double flux_taken = 0, flux_arrived = 0;  ///< Sums over shots of what left the shooter, and of what arrived.
+    radiosity::NodeId closure_least_patch = -1, closure_most_patch = -1;
     RadiosityCounters counters;
     RadiosityTimes times;
 
@@ -99,7 +103,7 @@ private:
         BufferStatistics statistics;
     };
 
-    void check_options();
+    static RadiosityOptions checked(const Scene& scene, RadiosityOptions options);
     void add_cells();
     bool uses_buffer() const;
     bool uses_gradient() const;
@@ -113,6 +117,8 @@ private:
     bool is_strong(const radiosity::Shot& shot, const Work& work) const;
     void build_buffers(std::vector<Batch>& batches);
     CloseObjectBuffer around(radiosity::NodeId leaf) const;
+    CloseObjectBuffer build_root_buffer(RootId root, BufferStatistics* statistics = nullptr);
+    CloseObjectBuffer build_buffer(radiosity::NodeId leaf, BufferStatistics* statistics = nullptr);
     void shoot(const radiosity::Shot& shot, Batch& batch);
 
     // Refinement (refinement.cpp).
@@ -126,7 +132,14 @@ private:
     bool is_full() const;
     void refresh_leaves(const std::vector<radiosity::NodeId>& parents);
     void count(const radiosity::TransportScratch& scratch, RadiosityCounters& into) const;
+    void count(const BufferStatistics& statistics);
 
+    /// Of a grey scene one channel is computed, and the others are the same.
+    void spread(Rgb& value) const {
+        if (channels_ == 1) value[1] = value[2] = value[0];
+    }
+
+    std::size_t channels_ = 3;
     tbb::task_arena arena_;
 };
 

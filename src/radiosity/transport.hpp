@@ -3,8 +3,10 @@
 #pragma once
 
 #include "cob/candidates.hpp"
+#include "cob/omissions.hpp"
 #include "cob/solver.hpp"
 #include "cob/visibility.hpp"
+#include "radiosity/between.hpp"
 #include "radiosity/mesh.hpp"
 #include "radiosity/planes.hpp"
 #include "radiosity/sheets.hpp"
@@ -34,10 +36,7 @@ struct Sample {
 struct Shot {
     NodeId patch = -1;
     Rgb exitance{};  ///< W/m2.
-    PieceId piece = -1;
-    std::array<Point, 4> corners{};  ///< In units.
-    int corner_count = 0;
-    std::array<double, 6> bounds{};
+    PatchShape shape;
     std::vector<Sample> samples, mixed_samples;
 };
 
@@ -49,8 +48,8 @@ struct Reception {
 
 /// Work of one thread at a time: lists that are reused, and counters.
 struct TransportScratch {
-    std::vector<PieceId> between;
-    std::vector<std::int8_t> side_from;  ///< By place in `between`: Sign, or 2: uncertain.
+    std::vector<Obstacle> between;
+    std::vector<std::optional<Sign>> side_from;  ///< By place in `between`: of its plane, where the receiving point is.
     std::size_t last_blocker = 0;
     std::int64_t form_factors = 0, segments = 0, oracle_segments = 0, segments_left_out = 0, resampled = 0;
 };
@@ -58,18 +57,19 @@ struct TransportScratch {
 class Transport {
 public:
     Transport(const Scene& scene, const Mesh& mesh, const CandidateSource& candidates, const Sheets& sheets,
-              const RadiosityOptions& options);
+              const RadiosityOptions& options, const Omissions& omissions);
 
     Shot make_shot(NodeId patch, const Rgb& exitance) const;
     /// The whole root lies behind the shooter or the shooter behind it, exactly: nothing passes.
     bool apart(const Shot& shot, RootId receiver) const;
     /// Closed form from the element's centroid to the whole patch, as if nothing stood between.
     double unobstructed(const Shot& shot, NodeId element, TransportScratch& scratch) const;
-    /// The pieces that may stand between the shooter and a patch: those that meet the hull of both bounds and lie
-    /// not wholly behind either plane. May name too many, never too few.
+    /// The pieces that may stand between the shooter and a patch, where the list of them is used.
     void find_between(const Shot& shot, NodeId receiving_patch, TransportScratch& scratch) const;
-    /// Closed form times visible fraction. `between` of the scratch must be of the element's patch.
-    Reception receive(const Shot& shot, NodeId element, TransportScratch& scratch) const;
+    /// Closed form times visible fraction. `between` of the scratch must be of the element's patch. `unobstructed` is
+    /// what unobstructed() says, where that is known already.
+    Reception receive(const Shot& shot, NodeId element, TransportScratch& scratch,
+                      std::optional<double> unobstructed = {}) const;
     /// Closed form times visible fraction at one point of an element, with so many samples of the shooter.
     double receive_at(const Shot& shot, NodeId element, double s, double t, int samples,
                       TransportScratch& scratch) const;
@@ -81,13 +81,15 @@ public:
     const Planes& planes() const { return planes_; }
 
 private:
-    bool behind(PieceId piece, PieceId plane) const;
     double form_factor(const Shot& shot, const Point& at, const Point& normal, TransportScratch& scratch) const;
     /// Sum of kernel weights of the samples in front of the receiver, and of these of the visible ones.
     struct Fraction {
         double all = 0, visible = 0;
         int tested = 0, clear = 0;
     };
+    PatchShape shape_of(NodeId patch) const;
+    /// No segment is needed: nothing stands between, and no sheet hides any of the shooter.
+    bool is_clear(const Shot& shot, const TransportScratch& scratch) const;
     void find_sides(const Point& from, TransportScratch& scratch) const;
     std::vector<Sample> samples_of(NodeId patch, int count) const;
     Fraction fraction(const Shot& shot, const std::vector<Sample>& samples, NodeId element, const Sample& at,
@@ -100,15 +102,13 @@ private:
 
     const Scene& scene_;
     const Mesh& mesh_;
-    const CandidateSource& candidates_;
     const Sheets& sheets_;
-    bool keep_all_;
+    bool convex_, shaft_, filter_;  ///< What is left out (Omission).
     int samples_, mixed_samples_;
     Planes planes_;
+    Between between_;
     VisibilityOracle oracle_;
     std::array<std::vector<Sample>, 2> receiving_;  ///< Of triangles and quadrilaterals; parameters only.
-    std::vector<std::uint64_t> behind_;             ///< Bit matrix by plane and piece; empty in large scenes.
-    std::size_t behind_words_ = 0;
 };
 
 }  // namespace cob::radiosity

@@ -1,5 +1,7 @@
 #include "report/census_report.hpp"
 
+#include "report/omissions_report.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace cob {
@@ -160,6 +162,7 @@ std::string info_text(const SceneInfo& info) {
     text += reader_rows(info);
     text += "this scene needs\n";
     for (const std::string& sentence : machinery(info)) text += "  " + sentence + "\n";
+    text += omission_rows(info.omissions);
     return text;
 }
 
@@ -216,6 +219,7 @@ nlohmann::ordered_json info_json(const SceneInfo& info) {
     json["skipped_statements"] = info.read.skipped;
     json["warnings"] = info.read.warnings;
     json["needs"] = machinery(info);
+    json["left_out"] = omissions_json(info.omissions);
     return json;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cob/census.hpp"
+#include "cob/omissions.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -17,6 +18,7 @@ struct SceneInfo {
     const ReadReport& read;
     const Census& census;
     const std::vector<PolygonId>& planar_as_decimal;
+    const Omissions& omissions;
 };
 
 /// What of the machinery the scene needs, a sentence each, with the reason; never empty.

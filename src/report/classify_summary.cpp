@@ -1,5 +1,7 @@
 #include "report/classify_summary.hpp"
 
+#include "report/omissions_report.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -59,6 +61,8 @@ std::string to_text(const ClassifySummary& summary) {
     const std::uint64_t decisions = p.filtered + p.integer + p.rational;
     line(text, "predicates          %llu filtered (%.2f %%), %llu integer, %llu rational", whole(p.filtered),
          100 * ratio(p.filtered, decisions), whole(p.integer), whole(p.rational));
+    line(text, "facing tests        %llu of lights", whole(s.light_tests));
+    if (summary.omissions) text += left_out_rows(*summary.omissions, 20);
     line(text, "time                read %.3f s, mesh %.3f s, tree %.3f s, classify %.3f s", summary.read_seconds,
          summary.mesh_seconds, summary.tree_seconds, summary.classify_seconds);
     line(text, "  an element        %.3f us, %.3f us of processor time", 1e6 * ratio(summary.classify_seconds, n),
@@ -87,6 +91,8 @@ std::string to_json(const ClassifySummary& summary) {
         {"tested", s.tested}, {"per_element", ratio(s.tested, elements)}, {"tested_to_compare", s.compared}};
     json["predicates"] = {
         {"filtered", s.predicates.filtered}, {"integer", s.predicates.integer}, {"rational", s.predicates.rational}};
+    json["light_tests"] = s.light_tests;
+    if (summary.omissions) json["left_out"] = omissions_json(*summary.omissions);
     json["seconds"] = {{"read", summary.read_seconds},
                        {"mesh", summary.mesh_seconds},
                        {"tree", summary.tree_seconds},

@@ -2,9 +2,11 @@
 /// The summary of `cob classify`, as text and as JSON.
 #pragma once
 
+#include "cob/omissions.hpp"
 #include "report/classify_scene.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace cob {
@@ -14,6 +16,7 @@ struct ClassifySummary {
     std::uint64_t polygons = 0;                     ///< Of the scene.
     std::uint64_t skipped = 0;                      ///< Of these, refused.
     ClassifySceneResult result;
+    std::optional<Omissions> omissions;
     double read_seconds = 0, mesh_seconds = 0, tree_seconds = 0, classify_seconds = 0;
     double processor_seconds = 0;  ///< Of classifying, summed over the threads.
     std::uint64_t tree_bytes = 0;  ///< Of the source of candidates.

@@ -1,10 +1,12 @@
 #include "radiosity/mesh.hpp"
+#include "report/omissions_report.hpp"
 #include "report/solution_files.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace cob::report {
@@ -44,7 +46,7 @@ Json options_json(const RadiosityOptions& o) {
         {"mixed_samples", o.mixed_samples},
         {"receiving_points", o.receiving_points},
         {"overshoot", o.overshoot},
-        {"keep_all", o.keep_all}};
+        {"keep", o.keep.to_text()}};
 }
 
 Json buffers_json(const RadiositySolver& solver) {
@@ -95,18 +97,31 @@ std::string summary_json(const RadiositySolver& solver, const RunFigures& figure
                         {"segments", c.segments},
                         {"segments_by_exact_oracle", c.oracle_segments},
                         {"segments_left_out", c.segments_left_out},
+                        {"light_tests", c.light_tests},
+                        {"buffers_left_out", c.buffers_left_out},
                         {"skipped_as_occluded", c.skipped_occluded},
                         {"refined_by_buffer", c.put_aside},
                         {"refined_by_gradient", c.refined_by_gradient},
                         {"refined_for_balance", c.refined_for_balance},
                         {"sampled_anew", c.resampled}};
     json["buffers"] = buffers_json(solver);
-    json["left_out"] = solver.left_out();
+    json["left_out"] = omissions_json(solver.omissions());
     json["bookkeeping"] = {{"exitance_flux_by_elements", books.by_elements},
                            {"exitance_flux_by_patches", books.by_patches},
                            {"relative_difference", books.difference()},
                            {"moved_by_subdivision", books.moved}};
-    json["closure"] = {{"mean", books.closure_mean}, {"least", books.closure_least}, {"most", books.closure_most}};
+    const auto shooter = [&](std::int32_t patch) -> Json {
+        if (patch < 0) return nullptr;
+        return {{"patch", patch},
+                {"polygon", solver.roots()[solver.mesh().node(patch).element.root].polygon},
+                {"longest_side", std::scalbn(solver.mesh().longest_side(patch), solver.mesh().exponent())}};
+    };
+    json["closure"] = {{"flux", books.closure_flux},
+                       {"mean", books.closure_mean},
+                       {"least", books.closure_least},
+                       {"most", books.closure_most},
+                       {"least_of", shooter(books.closure_least_patch)},
+                       {"most_of", shooter(books.closure_most_patch)}};
     json["seconds"] = {{"meshing", t.meshing},   {"interaction", t.interaction},       {"buffer", t.buffer},
                        {"shooting", t.shooting}, {"refinement", t.refinement},         {"gradient", t.gradient},
                        {"solution", t.total()},  {"picture", figures.picture_seconds}, {"all", figures.seconds}};
@@ -144,13 +159,21 @@ std::string summary_text(const RadiositySolver& solver, const RunFigures& figure
     text += line("skipped as occluded",
                  c["skipped_as_occluded"].dump() +
                      format(" shots, about %.3g s saved", number(j["seconds_saved_by_occluded_elements"])));
-    for (const auto& reason : j["left_out"]) text += line("left out", reason.get<std::string>());
+    text += left_out_rows(solver.omissions(), 26);
     text += line("bookkeeping", format("differs by %.2g; subdivision moved %.3g %% of the flux",
                                        number(j["bookkeeping"]["relative_difference"]),
                                        100 * number(j["bookkeeping"]["moved_by_subdivision"])));
-    text +=
-        line("closure", format("mean %.6f, least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["mean"]),
-                               number(j["closure"]["least"]), number(j["closure"]["most"])));
+    text += line("closure", format("%.6f of the flux arrived; by shot mean %.6f", number(j["closure"]["flux"]),
+                                   number(j["closure"]["mean"])) +
+                                format(", least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["least"]),
+                                       number(j["closure"]["most"])));
+    for (const char* which : {"least", "most"}) {
+        const Json& of = j["closure"][std::string(which) + "_of"];
+        if (!of.is_null())
+            text +=
+                line(std::string("  ") + which, "patch " + of["patch"].dump() + " of polygon " + of["polygon"].dump() +
+                                                    format(", longest side %.4g", number(of["longest_side"])));
+    }
     text += line("seconds", format("%.3f solution, %.3f picture, %.3f in all", number(s["solution"]),
                                    number(s["picture"]), number(s["all"])));
     text += line("  interaction, shooting", format("%.3f, %.3f", number(s["interaction"]), number(s["shooting"])));

@@ -125,7 +125,7 @@ private:
             SystemRoot around;
             around.normal = planes.normal(root.piece);
             for (std::size_t piece = 0; piece < scene_.pieces().size(); ++piece)
-                around.apart.push_back(planes.wholly_behind(static_cast<PieceId>(piece), root.piece));
+                around.apart.push_back(planes.closed_sides(static_cast<PieceId>(piece), root.piece).behind);
             for (const PolygonId sheet : sheets_on_top(scene_, root.polygon, *candidates_))
                 for (std::uint32_t k = 0; k < scene_.polygon(sheet).piece_count; ++k)
                     around.on_top.push_back(static_cast<PieceId>(scene_.polygon(sheet).first_piece + k));

@@ -55,7 +55,12 @@ public:
     /// Calls found(id) for every box that meets the given one, each once, in no particular order.
     template <class Found>
     void find(const Bounds3& box, Found&& found) const {
-        find(1, 0, boxes_.size(), box, found);
+        find_where([&](const Bounds3& other) { return other.meets(box); }, found);
+    }
+    /// Calls found(id) for every box of which meets(box) is true. It must be true of every box around such a one.
+    template <class Meets, class Found>
+    void find_where(const Meets& meets, Found&& found) const {
+        find(1, 0, boxes_.size(), meets, found);
     }
 
 private:
@@ -80,17 +85,17 @@ private:
         split(2 * node + 1, middle, end);
     }
 
-    template <class Found>
-    void find(std::size_t node, std::size_t begin, std::size_t end, const Bounds3& box, Found& found) const {
-        if (begin == end || !nodes_[node].meets(box)) return;
+    template <class Meets, class Found>
+    void find(std::size_t node, std::size_t begin, std::size_t end, const Meets& meets, Found& found) const {
+        if (begin == end || !meets(nodes_[node])) return;
         if (node >= leaves_) {
             for (std::size_t k = begin; k < end; ++k)
-                if (boxes_[order_[k]].meets(box)) found(order_[k]);
+                if (meets(boxes_[order_[k]])) found(order_[k]);
             return;
         }
         const std::size_t middle = begin + (end - begin) / 2;
-        find(2 * node, begin, middle, box, found);
-        find(2 * node + 1, middle, end, box, found);
+        find(2 * node, begin, middle, meets, found);
+        find(2 * node + 1, middle, end, meets, found);
     }
 
     std::vector<Bounds3> boxes_;

@@ -1,18 +1,11 @@
 #include "scene/contact.hpp"
 
+#include "scene/piece_plane.hpp"
+
 #include <algorithm>
 
 namespace cob {
 namespace {
-
-/// The first three corners of a convex piece that are not on one line.
-std::array<Point, 3> base_of(const Scene& scene, const Piece& piece) {
-    const auto corners = scene.corners(piece);
-    std::array<Point, 3> base{scene.position(corners[0]), scene.position(corners[1]), scene.position(corners[2])};
-    for (std::size_t k = 3; k < corners.size() && collinear(base[0], base[1], base[2]); ++k)
-        base[2] = scene.position(corners[k]);
-    return base;
-}
 
 Point2 seen_along(View2 view, const Point& point) {
     return {point[view.first], point[view.second]};
@@ -47,13 +40,13 @@ bool is_between(const Point& point, const Point& from, const Point& to) {
 Sheet::Sheet(const Scene& scene, const Piece& piece)
     : view_(scene.polygon(piece.polygon).view),
       seen_(seen_corners(scene, piece, view_)),
-      corners_(base_of(scene, piece)) {}
+      corners_(plane_of(scene, piece)) {}
 
 Overlap Sheet::overlap(const Scene& scene, const Piece& other) const {
     for (const VertexId corner : scene.corners(other))
         if (orientation(corners_[0], corners_[1], corners_[2], scene.position(corner)) != Sign::zero)
             return Overlap::none;
-    const std::array<Point, 3> base = base_of(scene, other);
+    const std::array<Point, 3> base = plane_of(scene, other);
     const Sign turn = orientation(seen_along(view_, base[0]), seen_along(view_, base[1]), seen_along(view_, base[2]));
     std::vector<Point2> seen = seen_corners(scene, other, view_);
     if (turn == Sign::negative) std::reverse(seen.begin(), seen.end());

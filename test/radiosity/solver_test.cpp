@@ -86,7 +86,7 @@ TEST(Solver, CubeWithOneEmittingFaceAgreesWithTheDirectSolution) {
     const auto candidates = cob::make_candidates(scene, cob::Source::all);
     const cob::radiosity::Sheets sheets(scene, *candidates);
     RadiosityOptions filled = solver.options();
-    const cob::radiosity::Transport transport(scene, mesh, *candidates, sheets, filled);
+    const cob::radiosity::Transport transport(scene, mesh, *candidates, sheets, filled, solver.omissions());
     const auto n = static_cast<Eigen::Index>(solver.patch_count());
     Eigen::MatrixXd f(n, n);
     cob::radiosity::TransportScratch scratch;
@@ -257,7 +257,7 @@ TEST(Bytes, DoNotDependOnThreadsNorOnWhatIsLeftOutNorOnAnInterruption) {
         EXPECT_EQ(cob::report::solution_csv(one), bytes);
 
         RadiosityOptions all = o;
-        all.keep_all = true;
+        all.keep = cob::OmissionSet::all();
         RadiositySolver kept(scene, all);
         solve(kept);
         EXPECT_EQ(cob::report::solution_csv(kept), bytes);
