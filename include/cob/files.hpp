@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cob {
 
@@ -27,6 +28,19 @@ private:
     void fail(const char* what);
     std::string path_, temporary_;
     std::FILE* file_ = nullptr;
+};
+
+/// A folder for results, created with its parents where it is missing. What it created and nothing was put into, it
+/// removes when it ends: work that fails leaves no trace.
+class OutputFolder {
+public:
+    explicit OutputFolder(const std::string& path);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+private:
+    std::vector<std::string> created_;  ///< Innermost first.
 };
 
 /// Writes one whole file at once.

@@ -38,7 +38,7 @@ void show_disagreements(const std::string& set, const BenchOptions& options, con
 }
 
 void run(const Arguments& arguments) {
-    create_folder(arguments.folder);
+    const OutputFolder created(arguments.folder);
     const std::vector<BenchRow> rows = bench_sets(arguments.sets, arguments.options);
     const BenchMachine machine = bench_machine();
     std::fputs(report::bench_table(rows, machine).c_str(), stdout);

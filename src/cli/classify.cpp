@@ -90,7 +90,7 @@ struct ClassifyCommand {
         summary.tree_seconds = watch.lap();
 
         // Buffers.
-        create_folder(folder);
+        const OutputFolder created(folder);
         const double before = processor_seconds();
         summary.result = classify_scene(elements, *candidates, folder, options);
         summary.classify_seconds = watch.lap();

@@ -54,7 +54,8 @@ void run(const Arguments& arguments) {
     FormFactorMatrix matrix(scene, *candidates, arguments.options);
     say_plan(matrix.plan(pairs, terminal_progress("shafts")));
     // Opened before the work: a folder that is not writable is told now.
-    TableWriter<FormFactorRow> table(table_path(arguments.out, table_name<FormFactorRow>()));
+    const TablePath path(arguments.out, table_name<FormFactorRow>());
+    TableWriter<FormFactorRow> table(path());
     const FormFactorResult result = matrix.compute(terminal_progress("form factors"));
 
     for (const PolygonFormFactor& value : result.values) table.write({value.from, value.to, value.value, value.error});

@@ -28,8 +28,8 @@ void run(const Arguments& arguments) {
                      static_cast<unsigned long long>(cost.points), static_cast<unsigned long long>(cost.lights),
                      cost.seconds);
     };
-    const IrradianceTableResult result = write_irradiance(
-        scene, *candidates, arguments.points, table_path(arguments.out, table_name<IrradianceRow>()), options);
+    const TablePath table(arguments.out, table_name<IrradianceRow>());
+    const IrradianceTableResult result = write_irradiance(scene, *candidates, arguments.points, table(), options);
     std::printf("%llu rows, %llu of them obstructed in part, %llu wholly\n",
                 static_cast<unsigned long long>(result.rows), static_cast<unsigned long long>(result.partly),
                 static_cast<unsigned long long>(result.wholly));

@@ -1,7 +1,6 @@
 #include "cli/options.hpp"
 
 #include "cob/error.hpp"
-#include "cob/files.hpp"
 
 #include <cstdio>
 
@@ -39,11 +38,11 @@ Scene SceneOptions::read() const {
     return scene;
 }
 
-std::string table_path(const std::string& out, const std::string& name) {
+TablePath::TablePath(const std::string& out, const std::string& name) : path_(out) {
     const std::string ending = ".csv";
-    if (out.size() > ending.size() && out.compare(out.size() - ending.size(), ending.size(), ending) == 0) return out;
-    create_folder(out);
-    return out + "/" + name;
+    if (out.size() > ending.size() && out.compare(out.size() - ending.size(), ending.size(), ending) == 0) return;
+    folder_.emplace(out);
+    path_ = out + "/" + name;
 }
 
 void MeshingOptions::add_to(CLI::App& command) {

@@ -5,10 +5,12 @@
 #include "cob/buffer.hpp"
 #include "cob/candidates.hpp"
 #include "cob/classify.hpp"
+#include "cob/files.hpp"
 #include "cob/omissions.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace cob::cli {
@@ -58,8 +60,17 @@ struct KeepOptions {
     OmissionSet set() const;
 };
 
-/// The path itself where it ends in .csv, else the table of that name in the folder, which is created.
-std::string table_path(const std::string& out, const std::string& name);
+/// Where one table goes: the path itself where it ends in .csv, else the table of that name in the folder, which is
+/// created and, should no table come, removed.
+class TablePath {
+public:
+    TablePath(const std::string& out, const std::string& name);
+    const std::string& operator()() const { return path_; }
+
+private:
+    std::string path_;
+    std::optional<OutputFolder> folder_;
+};
 
 /// --threads
 void add_threads(CLI::App& command, int& threads);

@@ -144,7 +144,7 @@ void run(const Arguments& arguments) {
     for (const std::string& warning : report.warnings) std::fprintf(stderr, "cob: %s\n", warning.c_str());
     const report::Camera camera = camera_of(arguments, scene);
     report::Frame(camera, arguments.picture.width, arguments.picture.height);  // refuses before the work, not after
-    create_folder(arguments.folder);
+    const OutputFolder created(arguments.folder);
 
     RadiositySolver solver(scene, solver_options(arguments));
     if (!arguments.checkpoint.empty() && std::filesystem::exists(arguments.checkpoint))

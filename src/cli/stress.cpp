@@ -24,7 +24,7 @@ struct StressCommand {
         options.progress = terminal_progress("stress case");
         std::vector<Scene> read_scenes;  // all of them before the work, so that a bad one is told at once
         for (const std::string& path : scenes) read_scenes.push_back(read_obj(path, ReadOptions{true, false}));
-        create_folder(folder);
+        const OutputFolder created(folder);
 
         Stopwatch watch;
         report::StressResults results;

@@ -43,7 +43,7 @@ AnswerSummary answer_set(const std::string& set, const std::string& folder, cons
         throw InputError("set without questions", {set, 0, "", "add boxes.csv, segments.csv or points.csv"});
 
     const auto source = make_candidates(scene, options.source);
-    create_folder(folder);
+    const OutputFolder created(folder);
     const AnswerJob job{scene, *source, set, folder, options};
     AnswerFiles files;
     if (options.peer != Peer::none) {

@@ -181,11 +181,19 @@ std::string rows_of(const std::vector<ElementTruth>& truths) {
     return text;
 }
 
+/// A field of a comma-separated table, quoted where it must be (RFC 4180).
+std::string field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
 std::string row_of(const std::string& scene, const TruthSummary& s) {
     std::string text =
         "scene,elements,sampled,lights,empty,close,occluded,boundary,sharp,refined_in_vain,sharp_missed,occluded_lit,"
         "occluded_lit_hemisphere,shut_out_together\n" +
-        scene;
+        field(scene);
     for (std::uint64_t value : {s.elements, s.sampled, s.lights, s.empty, s.close, s.occluded, s.boundary, s.sharp,
                                 s.refined_in_vain, s.sharp_missed, s.occluded_lit})
         text += ',' + std::to_string(value);

@@ -66,6 +66,18 @@ void OutputFile::fail(const char* what) {
     throw InputError(what, {path_, 0, reason, "choose a folder that exists, is writable and has room"});
 }
 
+OutputFolder::OutputFolder(const std::string& path) {
+    const std::filesystem::path whole = std::filesystem::path(path).lexically_normal();
+    for (std::filesystem::path p = whole; !p.empty() && !std::filesystem::exists(p); p = p.parent_path())
+        created_.push_back(p.string());
+    create_folder(path);
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code not_empty;
+    for (const std::string& path : created_) std::filesystem::remove(path, not_empty);
+}
+
 void write_file(const std::string& path, std::string_view text) {
     OutputFile file(path);
     file.write(text);

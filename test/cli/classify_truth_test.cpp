@@ -176,6 +176,15 @@ TEST_F(ClassifyTruth, ShutOutBySeveralTogether) {
     EXPECT_EQ(truth(scene(text), "").at("shut_out_together"), "0");  // one of them lets light in
 }
 
+// A comma in the scene's name does not move the columns (RFC 4180).
+TEST_F(ClassifyTruth, SceneNameIsQuoted) {
+    write_file(folder_ / "a,\"b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    const auto run = test::run_program("classify '" + folder_ / "a,\"b.obj" + "' --truth -o " + folder_.path());
+    ASSERT_EQ(run.code, 0) << run.error;
+    const auto lines = split(read_file(folder_ / "truth_summary.csv"), '\n');
+    EXPECT_EQ(lines.at(1), "\"a,\"\"b.obj\",1,1,0,1,0,0,0,0,0,0,0,0,0");
+}
+
 // Bad input: exit code 2 and no file.
 TEST_F(ClassifyTruth, RefusesWithoutLeavingFiles) {
     const std::string out = folder_ / "out";
