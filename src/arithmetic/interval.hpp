@@ -42,6 +42,40 @@ public:
         return {down(std::min({p, q, r, s})), up(std::max({p, q, r, s}))};
     }
 
+    /// Unknown where the divisor may be zero.
+    friend Interval operator/(const Interval& a, const Interval& b) {
+        if (!(b.low_ > 0 || b.high_ < 0)) return unknown();
+        const double p = a.low_ / b.low_, q = a.low_ / b.high_, r = a.high_ / b.low_, s = a.high_ / b.high_;
+        if (std::isnan(p + q + r + s)) return unknown();
+        return {down(std::min({p, q, r, s})), up(std::max({p, q, r, s}))};
+    }
+    Interval& operator+=(const Interval& other) { return *this = *this + other; }
+    Interval& operator-=(const Interval& other) { return *this = *this - other; }
+
+    /// Of what is not below zero; what of the interval is, is rounding.
+    friend Interval sqrt(const Interval& a) {
+        if (!(a.high_ >= 0)) return unknown();
+        return {std::max(0.0, down(std::sqrt(std::max(0.0, a.low_)))), up(std::sqrt(a.high_))};
+    }
+    /// Tighter than a * a.
+    friend Interval square(const Interval& a) {
+        const double p = a.low_ * a.low_, q = a.high_ * a.high_;
+        if (std::isnan(p + q)) return unknown();
+        const bool zero = a.low_ <= 0 && a.high_ >= 0;
+        return {zero ? 0 : std::max(0.0, down(std::min(p, q))), up(std::max(p, q))};
+    }
+    friend Interval hull(const Interval& a, const Interval& b) {
+        return {std::min(a.low_, b.low_), std::max(a.high_, b.high_)};
+    }
+    /// At least the distance of any of its numbers from zero.
+    double magnitude() const { return std::max(std::abs(low_), std::abs(high_)); }
+    double middle() const { return low_ + (high_ - low_) / 2; }
+    double width() const { return up_sum(high_ - low_); }
+    bool is_bounded() const { return std::isfinite(low_) && std::isfinite(high_); }
+    static Interval unknown() {
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    }
+
     /// Neither surely above nor surely below zero, nor zero itself.
     bool straddles_zero() const { return sign() == UncertainSign::undecided; }
 
@@ -59,9 +93,6 @@ public:
     }
 
 private:
-    static Interval unknown() {
-        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    }
     // The nearest result is wrong by at most half an ulp, that is by less than 2^-52 of itself or, where a product
     // underflows, by the least subnormal. A sum that rounds to zero is zero.
     static double down(double r) { return r - (std::abs(r) * 0x1p-52 + 0x1p-1074); }

@@ -65,6 +65,7 @@ public:
     Ray meet(PlaneRef first, PlaneRef second) const;
     /// The side of the plane to which the ray points, exactly.
     Sign side(PlaneRef plane, const Ray& ray) const;
+    bool not_positive(PlaneRef plane, const Ray& ray) const { return side(plane, ray) != Sign::positive; }
 
     /// The cone over a piece: nothing where x lies in its plane.
     std::optional<Cone> over(PieceId piece);
@@ -93,16 +94,5 @@ private:
     std::unordered_map<std::uint64_t, std::int32_t> edges_;
     mutable PredicateCounters counters_;
 };
-
-/// Both sides of a plane in a cone, each nothing where it has no inside.
-struct SplitCone {
-    std::optional<Cone> positive, negative;
-};
-SplitCone split(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane);
-
-/// Appends to `rest` what of the cone lies outside all shadows, as cones without common inside; what has no inside is
-/// dropped. Large shadows should come first.
-void subtract(const PlanesThroughPoint& planes, const Cone& cone, std::vector<const Cone*> shadows,
-              std::vector<Cone>& rest);
 
 }  // namespace cob::radiosity

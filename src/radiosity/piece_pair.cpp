@@ -1,6 +1,6 @@
 #include "radiosity/piece_pair.hpp"
 
-#include "geometry/patch_refinement.hpp"
+#include "radiosity/certified_flux.hpp"
 
 #include <algorithm>
 
@@ -142,36 +142,38 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     return integrate_visible(regions, lines, integrand, options);
 }
 
+namespace {
+
+/// What of the occluders lies in front of both planes, as convex polygons, the largest first: what shadows most.
+std::vector<CornerLoop> occluders_of(const PairContext& context, const PiecePair& pair, PairShapes& shapes) {
+    const Scene& scene = context.scene;
+    const OpenHalfSpace before_receiver = front_of(polygon_of(scene, scene.piece(pair.receiver))),
+                        before_light = front_of(polygon_of(scene, scene.piece(pair.light)));
+    std::vector<std::pair<double, ConvexPolygon>> parts;
+    for (PieceId piece : pair.occluders) {
+        ConvexPolygon part = clip(polygon_of(scene, scene.piece(piece)), before_receiver);
+        if (!part.empty()) part = clip(part, before_light);
+        if (!part.empty()) parts.emplace_back(area(part), std::move(part));
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<CornerLoop> result;
+    for (const auto& part : parts) result.push_back(shapes.add(part.second));
+    return result;
+}
+
+}  // namespace
+
 QuadratureResult certified_flux(const PairContext& context, const PiecePair& pair, const QuadratureOptions& options) {
     if (pair.passage == Passage::not_facing || pair.passage == Passage::hidden) return {};
-    const ReceiverFrame frame(polygon_of(context.scene, context.scene.piece(pair.receiver)), context.pieces.scale());
-    // Nothing in between, a part's integral is known but for rounding; four times its estimate is well on the safe
-    // side.
-    const auto measure = [&frame](const PatchPair& part, const PatchPair&) {
-        const auto corners = [&frame](const ConvexPatch& patch) {
-            std::vector<Vector3<double>> result;
-            for (const ExactPoint& corner : patch.corners) result.push_back(frame.relative(corner.rational()));
-            return result;
-        };
-        const Integral flux = mutual_flux(corners(part.a), corners(part.b));
-        return Range{std::max(0.0, flux.value - 4 * flux.error), flux.value + 4 * flux.error};
-    };
-    std::vector<PatchPair> pairs;
-    for (const ConvexPolygon& a : pair.receiving)
-        for (const ConvexPolygon& b : pair.sending)
-            for (const ConvexPatch& part_a : triangles_of(a))
-                for (const ConvexPatch& part_b : triangles_of(b)) {
-                    pairs.push_back({part_a, part_b, {}, pair.occluders});
-                    pairs.back().measure = measure(pairs.back(), pairs.back());
-                }
-    RefinementOptions refinement;
-    refinement.width = 2 * options.tolerance;
-    refinement.max_pairs = options.max_evaluations;
-    const Refinement refined = refine(context.scene, std::move(pairs), measure, {}, refinement);
-    const double low = refined.clear.low, high = (refined.clear.high + refined.open) * (1 + 0x1p-50);
+    PairShapes shapes(polygon_of(context.scene, context.scene.piece(pair.receiver)), context.pieces.scale());
+    std::vector<CornerLoop> lights;
+    for (const ConvexPolygon& part : pair.sending) lights.push_back(shapes.add(part));
+    const std::vector<CornerLoop> occluders = occluders_of(context, pair, shapes);
+    const CertifiedFlux flux =
+        certified_flux(shapes, pair.receiving, lights, occluders, {2 * options.tolerance, options.max_evaluations});
     QuadratureResult result;
-    result.visible = {(low + high) / 2, (high - low) / 2 * (1 + 0x1p-50) + 0x1p-50 * high};
-    result.evaluations = refined.pairs;
+    result.visible = {(flux.low + flux.high) / 2, (flux.high - flux.low) / 2 * (1 + 0x1p-50) + 0x1p-50 * flux.high};
+    result.evaluations = flux.cells;
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "cob/arithmetic.hpp"
 #include "geometry/convex_polygon.hpp"
 
+#include <array>
 #include <vector>
 
 namespace cob::radiosity {
@@ -12,6 +13,7 @@ namespace cob::radiosity {
 struct Point2D {
     double s = 0, t = 0;
 };
+using Triangle2D = std::array<Point2D, 3>;
 
 /// Right-handed: seen from the receiver's visible side, s turns left into t.
 class ReceiverFrame {

@@ -11,8 +11,6 @@
 
 namespace cob::radiosity {
 
-using Triangle2D = std::array<Point2D, 3>;
-
 /// What is seen of the light from one point: form factors, and a name of what bounds the visible region.
 struct PointValue {
     double unobstructed = 0, visible = 0;

@@ -1,5 +1,7 @@
 #include "radiosity/visible_light.hpp"
 
+#include "radiosity/cone_algebra.hpp"
+
 #include <boost/container/small_vector.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

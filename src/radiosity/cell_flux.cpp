@@ -1,0 +1,167 @@
+#include "radiosity/cell_flux.hpp"
+
+#include "radiosity/taylor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cob::radiosity {
+namespace {
+
+constexpr int order = 4;
+
+/// Coordinates (u, v) on a triangle: centroid + u (corner 1 - corner 0) + v (corner 2 - corner 0).
+template <class T>
+struct Place {
+    T s, t;
+};
+
+Interval side_of(double from, double to) {
+    return Interval(to) - Interval(from);
+}
+
+/// The point as a polynomial in (u, v) around the centroid or around any point of the cell.
+template <int degree>
+Place<Taylor<2, degree>> place_in(const Triangle2D& c, bool anywhere) {
+    const auto base = [&](double a, double b, double d) {
+        if (anywhere) return Interval(std::min({a, b, d}), std::max({a, b, d}));
+        return (Interval(a) + Interval(b) + Interval(d)) / Interval(3);
+    };
+    Place<Taylor<2, degree>> place{base(c[0].s, c[1].s, c[2].s), base(c[0].t, c[1].t, c[2].t)};
+    if constexpr (degree > 0)
+        for (int j = 0; j < 2; ++j) {
+            const Point2D& to = c[static_cast<std::size_t>(j + 1)];
+            place.s.set(1, j, side_of(c[0].s, to.s));
+            place.t.set(1, j, side_of(c[0].t, to.t));
+        }
+    return place;
+}
+
+/// Lambert's sum (lambert.hpp) over the contour; arcs are angles with a sign, so that they may shrink to nothing.
+template <class T>
+T form_factor_of(const PairShapes& shapes, const Contour& contour, const Place<T>& place) {
+    using Vector = Vector3<T>;
+    const auto towards = [&](VertexId v) {
+        const IntervalPoint& corner = shapes.corner(v);
+        return Vector{T(corner.x) - place.s, T(corner.y) - place.t, T(corner.z)};
+    };
+    const auto normal = [&](const std::array<VertexId, 2>& edge) { return cross(towards(edge[0]), towards(edge[1])); };
+    const auto direction = [&](const Ray& ray) {
+        if (ray.vertex >= 0) return ray.opposite ? -towards(ray.vertex) : towards(ray.vertex);
+        const auto plane = [&](PlaneRef ref) { return normal(contour.edges[static_cast<std::size_t>(ref.index)]); };
+        const Vector d = cross(plane(ray.first), plane(ray.second));
+        return ray.first.flipped != ray.second.flipped ? -d : d;
+    };
+    T sum(0.0);
+    for (const ContourPlane& plane : contour.planes) {
+        const Vector m = normal(plane.edge);
+        const T length = sqrt(dot(m, m));
+        T angles(0.0);
+        for (const auto& [from, to] : plane.arcs) {
+            const Vector a = direction(from), b = direction(to);
+            angles = angles + atan2(dot(m, cross(a, b)) / length, dot(a, b));
+        }
+        sum = sum + m.z / length * angles;
+    }
+    return sum / T(Interval(2) * pi_interval());
+}
+
+/// Integral of u^p v^q over the triangle in (u, v), whose area is 1/2; exact.
+Rational moment(int p, int q) {
+    const auto factorial = [](int n) {
+        Rational f = 1;
+        for (int k = 2; k <= n; ++k) f *= k;
+        return f;
+    };
+    const auto term = [&](int n, int i) {  // of (l - 1/3)^n at l^i
+        Rational c = factorial(n) / (factorial(i) * factorial(n - i));
+        for (int k = i; k < n; ++k) c *= Rational(-1, 3);
+        return c;
+    };
+    Rational sum = 0;
+    for (int i = 0; i <= p; ++i)
+        for (int j = 0; j <= q; ++j)
+            sum += term(p, i) * term(q, j) * factorial(i) * factorial(j) / factorial(i + j + 2);
+    return sum;
+}
+
+struct Moments {
+    Taylor<2, order> of;             ///< Integrals of u^p v^q,
+    Taylor<2, order> of_magnitude;  ///< and, of the highest degree, bounds of those of |u^p v^q|.
+
+    Moments() {
+        for (int k = 0; k <= order; ++k)
+            for (int j = 0; j <= k; ++j) of.set(k, j, Interval(to_nearest(moment(k - j, j))) * around_one);
+        for (int j = 0; j <= order; ++j)  // Cauchy and Schwarz
+            of_magnitude.set(order, j, sqrt(Interval(to_nearest(moment(2 * (order - j), 0))) * around_one *
+                                            Interval(to_nearest(moment(0, 2 * j))) * around_one));
+    }
+
+private:
+    static inline const Interval around_one{1 - 0x1p-52, 1 + 0x1p-52};
+};
+
+}  // namespace
+
+Interval flux_over_cell(const PairShapes& shapes, const Triangle2D& cell, const Contour& contour) {
+    if (contour.planes.empty()) return 0;
+    static const Moments moments;
+    const auto middle = form_factor_of(shapes, contour, place_in<order>(cell, false));
+    const auto all = form_factor_of(shapes, contour, place_in<order>(cell, true));
+    Interval sum = 0;
+    for (int k = 0; k < order; ++k)
+        for (int j = 0; j <= k; ++j) sum += middle.at(k, j) * moments.of.at(k, j);
+    for (int j = 0; j <= order; ++j) {
+        const Interval& c = all.at(order, j);
+        const double centre = c.middle();
+        const Interval off = c - Interval(centre);
+        sum += Interval(centre) * moments.of.at(order, j) +
+               Interval(-1, 1) * Interval(off.magnitude()) * moments.of_magnitude.at(order, j);
+    }
+    const Interval doubled_area = side_of(cell[0].s, cell[1].s) * side_of(cell[0].t, cell[2].t) -
+                                  side_of(cell[0].s, cell[2].s) * side_of(cell[0].t, cell[1].t);
+    const Interval flux = sum * (doubled_area.middle() < 0 ? -doubled_area : doubled_area);
+    return flux.is_bounded() ? flux : Interval::unknown();
+}
+
+Interval range_over_cell(const PairShapes& shapes, const Triangle2D& cell, const Contour& contour) {
+    if (contour.planes.empty()) return 0;
+    const Interval range = form_factor_of(shapes, contour, place_in<0>(cell, true)).at(0);
+    if (!range.is_bounded()) return {0, 1};
+    return {std::clamp(range.low(), 0.0, 1.0), std::clamp(range.high(), 0.0, 1.0)};
+}
+
+double lipschitz_bound(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
+                       const std::vector<const CornerLoop*>& occluders) {
+    constexpr double up = 1 + 1e-9;  // pays for all roundings here
+    const Point2D centre{(cell[0].s + cell[1].s + cell[2].s) / 3, (cell[0].t + cell[1].t + cell[2].t) / 3};
+    double radius = 0;
+    for (const Point2D& corner : cell)
+        radius = std::max(radius, std::hypot(corner.s - centre.s, corner.t - centre.t) * up);
+    double sum = 0;
+    const auto add = [&](const CornerLoop& loop) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const auto at = [&](VertexId v) {
+                const IntervalPoint& p = shapes.corner(v);
+                return Vector3<double>{p.x.middle() - centre.s, p.y.middle() - centre.t, p.z.middle()};
+            };
+            const Vector3<double> a = at(loop[k]), b = at(loop[(k + 1) % loop.size()]), d = b - a;
+            const double length = std::sqrt(dot(d, d));
+            const double along = length > 0 ? std::clamp(-dot(a, d) / (length * length), 0.0, 1.0) : 0;
+            const Vector3<double> nearest = a + along * d;
+            const double distance = (std::sqrt(dot(nearest, nearest)) - 1e-12) / up - radius;
+            if (!(distance > 0)) {
+                sum = HUGE_VAL;
+                return;
+            }
+            const double angle = std::min(pi_low * up, length * up / distance);
+            const double cosine = std::min(1.0, (std::max(a.z, b.z) + 1e-12) * up / distance);
+            sum += angle * cosine / distance * up;
+        }
+    };
+    for (const CornerLoop& light : lights) add(light);
+    for (const CornerLoop* occluder : occluders) add(*occluder);
+    return sum / pi_low * up;
+}
+
+}  // namespace cob::radiosity
