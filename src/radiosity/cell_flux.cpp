@@ -86,15 +86,16 @@ Rational moment(int p, int q) {
 }
 
 struct Moments {
-    Taylor<2, order> of;             ///< Integrals of u^p v^q,
+    Taylor<2, order> of;            ///< Integrals of u^p v^q,
     Taylor<2, order> of_magnitude;  ///< and, of the highest degree, bounds of those of |u^p v^q|.
 
     Moments() {
         for (int k = 0; k <= order; ++k)
             for (int j = 0; j <= k; ++j) of.set(k, j, Interval(to_nearest(moment(k - j, j))) * around_one);
         for (int j = 0; j <= order; ++j)  // Cauchy and Schwarz
-            of_magnitude.set(order, j, sqrt(Interval(to_nearest(moment(2 * (order - j), 0))) * around_one *
-                                            Interval(to_nearest(moment(0, 2 * j))) * around_one));
+            of_magnitude.set(order, j,
+                             sqrt(Interval(to_nearest(moment(2 * (order - j), 0))) * around_one *
+                                  Interval(to_nearest(moment(0, 2 * j))) * around_one));
     }
 
 private:

@@ -146,8 +146,8 @@ Sign PlanesOverCell::quadratic_sign(std::int32_t p, std::int32_t q, std::int32_t
     for (std::size_t k = 0; k < 3; ++k) values[k] = at(Interval(cell_[k].s), Interval(cell_[k].t));
     for (std::size_t k = 0; k < 3; ++k) {
         const Point2D &a = cell_[k], &b = cell_[(k + 1) % 3];
-        const Interval middle = at(Interval(0.5) * (Interval(a.s) + Interval(b.s)),
-                                   Interval(0.5) * (Interval(a.t) + Interval(b.t)));
+        const Interval middle =
+            at(Interval(0.5) * (Interval(a.s) + Interval(b.s)), Interval(0.5) * (Interval(a.t) + Interval(b.t)));
         values[k + 3] = Interval(2) * middle - Interval(0.5) * (values[k] + values[(k + 1) % 3]);
     }
     if (const auto sign = sign_of_coefficients(values, sliver_)) return *sign;

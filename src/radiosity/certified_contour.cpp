@@ -9,7 +9,7 @@ namespace cob::radiosity {
 namespace {
 
 constexpr int order = 12;
-constexpr double wanted = 1e-13;           ///< Width of a panel's integral over its length.
+constexpr double finest = 1e-13;          ///< Width of a panel's integral over its length, at least.
 constexpr std::size_t most_panels = 400;  ///< Of one pair of sides.
 
 using Series = Taylor<1, order>;
@@ -32,7 +32,7 @@ public:
         // Sides of one line: their distance is nothing but rounding, and so is what it adds.
         const Places at = places(Series(Interval(from, to)));
         const Interval d = sqrt(at.squared.at(0));
-        const bool one_line = d.high() < wanted / 16;
+        const bool one_line = d.high() < finest / 16;
         const Series middle = series(Interval(0.5) * (Interval(from) + Interval(to)), width, one_line);
         const Series all = series(Interval(from, to), width, one_line);
         Interval sum = 0;
@@ -100,15 +100,15 @@ Interval enclose(const InnerIntegral& inner, double from, double to) {
 }
 
 /// Over [0, 1]: the widest panel is bisected until all are narrow or there are too many.
-Interval integrate(const InnerIntegral& inner) {
+Interval integrate(const InnerIntegral& inner, double wanted) {
     struct Panel {
         double from, to;
         Interval integral;
-        double excess() const { return integral.width() - wanted * (to - from); }
     };
-    const auto narrower = [](const Panel& p, const Panel& q) { return p.excess() < q.excess(); };
+    const auto excess = [wanted](const Panel& p) { return p.integral.width() - wanted * (p.to - p.from); };
+    const auto narrower = [&](const Panel& p, const Panel& q) { return excess(p) < excess(q); };
     std::vector<Panel> panels{{0, 1, enclose(inner, 0, 1)}};
-    while (panels.size() < most_panels && panels.front().excess() > 0) {
+    while (panels.size() < most_panels && excess(panels.front()) > 0) {
         std::pop_heap(panels.begin(), panels.end(), narrower);
         const Panel panel = panels.back();
         panels.pop_back();
@@ -125,7 +125,8 @@ Interval integrate(const InnerIntegral& inner) {
 
 }  // namespace
 
-Interval certified_mutual_flux(const std::vector<IntervalPoint>& a, const std::vector<IntervalPoint>& b) {
+Interval certified_mutual_flux(const std::vector<IntervalPoint>& a, const std::vector<IntervalPoint>& b, double width) {
+    const double share = 6 * width / static_cast<double>(a.size() * b.size());
     Interval sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j) {
@@ -134,7 +135,10 @@ Interval certified_mutual_flux(const std::vector<IntervalPoint>& a, const std::v
             if (along.low() == 0 && along.high() == 0) continue;
             const InnerIntegral inner(a[i], u, b[j], v);
             // What is almost perpendicular weighs nothing but may not be bisected for it.
-            const Interval mean = along.magnitude() < 1e-14 ? inner.bounds_over(0, 1) : integrate(inner);
+            const Interval mean =
+                along.magnitude() < 1e-14
+                    ? inner.bounds_over(0, 1)
+                    : integrate(inner, std::max(finest, share / along.magnitude() * inner.length().low()));
             sum += along / inner.length() * mean;
         }
     const Interval flux = sum / (Interval(2) * pi_interval());

@@ -9,8 +9,8 @@
 
 namespace cob::radiosity {
 
-/// Encloses A_a F_ab of two polygons, each wholly in front of the other; touching is fine. To about 1e-12 where their
-/// size and distance are about 1.
-Interval certified_mutual_flux(const std::vector<IntervalPoint>& a, const std::vector<IntervalPoint>& b);
+/// Encloses A_a F_ab of two polygons, each wholly in front of the other; touching is fine. Not much wider than `width`
+/// where rounding, about 1e-12 for a size and distance of 1, permits.
+Interval certified_mutual_flux(const std::vector<IntervalPoint>& a, const std::vector<IntervalPoint>& b, double width);
 
 }  // namespace cob::radiosity

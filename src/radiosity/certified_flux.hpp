@@ -3,12 +3,14 @@
 ///
 /// The receiver is cut into triangles until the bounds are near enough: along the lines at which the visible part of
 /// the light changes its structure, where such a line crosses a cell, and in four where the integral over a cell is not
-/// known well enough. Every number is an interval, every decision a certified sign: lower <= flux <= upper is a theorem.
+/// known well enough. Every number is an interval, every decision a certified sign: lower <= flux <= upper is a
+/// theorem.
 #pragma once
 
 #include "radiosity/cell_view.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace cob::radiosity {
@@ -16,6 +18,7 @@ namespace cob::radiosity {
 struct CertifiedOptions {
     double width = 1e-6;             ///< Stop when the bounds are so near to each other,
     std::uint64_t max_cells = 4000;  ///< or when so many cells were looked at.
+    std::function<void()> pulse{};   ///< Called now and then, if any; may throw to end the work.
 };
 
 struct CertifiedFlux {

@@ -81,8 +81,7 @@ SplitCone split(const Planes& planes, const Cone& cone, PlaneRef plane) {
 /// Appends to `rest` what of the cone lies outside all shadows, as cones without common inside; what has no inside is
 /// dropped. Large shadows should come first.
 template <class Planes>
-void subtract(const Planes& planes, const Cone& cone, std::vector<const Cone*> shadows,
-              std::vector<Cone>& rest) {
+void subtract(const Planes& planes, const Cone& cone, std::vector<const Cone*> shadows, std::vector<Cone>& rest) {
     // Each part goes on with the shadows that meet it alone, so that far ones are not asked again and again.
     shadows.erase(std::remove_if(shadows.begin(), shadows.end(),
                                  [&](const Cone* shadow) {

@@ -41,13 +41,17 @@ struct PairFlux {
 class Counter {
 public:
     Counter(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
-    void step() {
-        if (!progress_) return;
-        const std::lock_guard<std::mutex> lock(mutex_);
-        progress_(++done_, total_);
-    }
+    void step() { tell(1); }
+    /// Nothing done, but a chance to be interrupted.
+    void pulse() { tell(0); }
 
 private:
+    void tell(std::uint64_t more) {
+        if (!progress_) return;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        progress_(done_ += more, total_);
+    }
+
     const Progress& progress_;
     std::uint64_t total_, done_ = 0;
     std::mutex mutex_;
@@ -106,7 +110,7 @@ struct FormFactorMatrix::Implementation {
     }
 
     /// A_i F_ij of a pair; receiving at the larger polygon instead where turned.
-    PairFlux flux(const PolygonPair& pair, bool turned) const;
+    PairFlux flux(const PolygonPair& pair, bool turned, const std::function<void()>& pulse) const;
 
     const Scene& scene;
     const CandidateSource& candidates;
@@ -117,12 +121,14 @@ struct FormFactorMatrix::Implementation {
     std::vector<PolygonPair> pairs;
 };
 
-PairFlux FormFactorMatrix::Implementation::flux(const PolygonPair& pair, bool turned) const {
+PairFlux FormFactorMatrix::Implementation::flux(const PolygonPair& pair, bool turned,
+                                                const std::function<void()>& pulse) const {
     PairFlux sum;
     const double parts = static_cast<double>(std::max<std::size_t>(1, pair.pieces.size()));
     QuadratureOptions quadrature;
     quadrature.tolerance = 0.5 * options.tolerance * polygons[pair.smaller].area / parts;
     quadrature.max_evaluations = options.certified ? options.max_subdivisions : options.max_evaluations;
+    quadrature.pulse = pulse;
     const auto integrate = options.certified ? certified_flux : flux_between;
     for (const PiecePair& part : pair.pieces) {
         const QuadratureResult result =
@@ -189,7 +195,7 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
     for (std::size_t k = 0; k < samples; ++k) {
         const PiecePair& pair = *timed[k * timed.size() / samples];
         if (self.options.certified)
-            certified_flux(self.context, pair, {self.options.tolerance * self.polygons[0].area, budget});
+            certified_flux(self.context, pair, {self.options.tolerance * self.polygons[0].area, budget, {}});
         else
             sample_point(self.context, pair);
     }
@@ -207,8 +213,9 @@ FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
     std::vector<std::array<PairFlux, 2>> fluxes(self.pairs.size());
     Counter counter(progress, self.pairs.size());
     in_parallel(self.options.threads, self.pairs.size(), [&](std::size_t k) {
-        fluxes[k][0] = self.flux(self.pairs[k], false);
-        if (self.options.both_sides) fluxes[k][1] = self.flux(self.pairs[k], true);
+        const auto pulse = [&counter] { counter.pulse(); };
+        fluxes[k][0] = self.flux(self.pairs[k], false, pulse);
+        if (self.options.both_sides) fluxes[k][1] = self.flux(self.pairs[k], true, pulse);
         counter.step();
     });
 

@@ -1,5 +1,7 @@
 #include "radiosity/piece_pair.hpp"
 
+#include "radiosity/cell_flux.hpp"
+#include "radiosity/cells.hpp"
 #include "radiosity/certified_flux.hpp"
 
 #include <algorithm>
@@ -82,6 +84,52 @@ QuadratureResult unobstructed_flux(const PiecePair& pair, const ReceiverFrame& f
     return result;
 }
 
+/// What of a pair the cubatures need.
+struct PairParts {
+    PairShapes shapes;
+    std::vector<CornerLoop> lights, occluders;
+    std::vector<PieceId> pieces;  ///< Of the occluders.
+};
+
+/// What of the occluders lies in front of both planes, the largest first: they shadow most.
+PairParts parts_of(const PairContext& context, const PiecePair& pair) {
+    const Scene& scene = context.scene;
+    const ConvexPolygon receiver = polygon_of(scene, scene.piece(pair.receiver));
+    const OpenHalfSpace before_receiver = front_of(receiver),
+                        before_light = front_of(polygon_of(scene, scene.piece(pair.light)));
+    PairParts parts{PairShapes(receiver, context.pieces.scale()), {}, {}, {}};
+    for (const ConvexPolygon& light : pair.sending) parts.lights.push_back(parts.shapes.add(light));
+    struct Clipped {
+        double size;
+        PieceId piece;
+        ConvexPolygon polygon;
+    };
+    std::vector<Clipped> clipped;
+    for (PieceId piece : pair.occluders) {
+        ConvexPolygon part = clip(polygon_of(scene, scene.piece(piece)), before_receiver);
+        if (!part.empty()) part = clip(part, before_light);
+        if (!part.empty()) clipped.push_back({area(part), piece, std::move(part)});
+    }
+    std::stable_sort(clipped.begin(), clipped.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
+    for (const Clipped& part : clipped) {
+        parts.occluders.push_back(parts.shapes.add(part.polygon));
+        parts.pieces.push_back(part.piece);
+    }
+    return parts;
+}
+
+/// Is it certain that what is seen of the light has one structure over a triangle?
+Structure structure_of(const PairParts& parts, const std::vector<const CornerLoop*>& occluders, const Triangle2D& t) {
+    const std::vector<const CornerLoop*> there = between(parts.shapes, t, parts.lights, occluders);
+    try {
+        visible_contour(parts.shapes, t, parts.lights, there);
+        return {Structure::Kind::one, 0};
+    } catch (const UndecidedSign& event) {
+        const double change = lipschitz_bound(parts.shapes, t, parts.lights, there) * reach(t);
+        return {event.linear ? Structure::Kind::lines : Structure::Kind::curves, change};
+    }
+}
+
 }  // namespace
 
 PiecePair make_pair(const PairContext& context, PieceId receiver, PieceId light) {
@@ -125,6 +173,10 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     integrand.unobstructed = [&](const Triangle2D& t) {
         return mutual_flux({frame.relative_at(t[0]), frame.relative_at(t[1]), frame.relative_at(t[2])}, sender);
     };
+    const PairParts parts = parts_of(context, pair);
+    std::vector<const CornerLoop*> occluders;
+    for (const CornerLoop& occluder : parts.occluders) occluders.push_back(&occluder);
+    integrand.structure = [&parts, occluders](const Triangle2D& t) { return structure_of(parts, occluders, t); };
 
     // Where its shape changes.
     std::vector<PieceId> sheets_and_light = light.on_top;
@@ -142,35 +194,11 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     return integrate_visible(regions, lines, integrand, options);
 }
 
-namespace {
-
-/// What of the occluders lies in front of both planes, as convex polygons, the largest first: what shadows most.
-std::vector<CornerLoop> occluders_of(const PairContext& context, const PiecePair& pair, PairShapes& shapes) {
-    const Scene& scene = context.scene;
-    const OpenHalfSpace before_receiver = front_of(polygon_of(scene, scene.piece(pair.receiver))),
-                        before_light = front_of(polygon_of(scene, scene.piece(pair.light)));
-    std::vector<std::pair<double, ConvexPolygon>> parts;
-    for (PieceId piece : pair.occluders) {
-        ConvexPolygon part = clip(polygon_of(scene, scene.piece(piece)), before_receiver);
-        if (!part.empty()) part = clip(part, before_light);
-        if (!part.empty()) parts.emplace_back(area(part), std::move(part));
-    }
-    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<CornerLoop> result;
-    for (const auto& part : parts) result.push_back(shapes.add(part.second));
-    return result;
-}
-
-}  // namespace
-
 QuadratureResult certified_flux(const PairContext& context, const PiecePair& pair, const QuadratureOptions& options) {
     if (pair.passage == Passage::not_facing || pair.passage == Passage::hidden) return {};
-    PairShapes shapes(polygon_of(context.scene, context.scene.piece(pair.receiver)), context.pieces.scale());
-    std::vector<CornerLoop> lights;
-    for (const ConvexPolygon& part : pair.sending) lights.push_back(shapes.add(part));
-    const std::vector<CornerLoop> occluders = occluders_of(context, pair, shapes);
-    const CertifiedFlux flux =
-        certified_flux(shapes, pair.receiving, lights, occluders, {2 * options.tolerance, options.max_evaluations});
+    const PairParts parts = parts_of(context, pair);
+    const CertifiedFlux flux = certified_flux(parts.shapes, pair.receiving, parts.lights, parts.occluders,
+                                              {2 * options.tolerance, options.max_evaluations, options.pulse});
     QuadratureResult result;
     result.visible = {(flux.low + flux.high) / 2, (flux.high - flux.low) / 2 * (1 + 0x1p-50) + 0x1p-50 * flux.high};
     result.evaluations = flux.cells;

@@ -17,14 +17,27 @@ struct PointValue {
     std::uint64_t outline = 0;
 };
 
+/// What is certain of a triangle (cell_view.hpp).
+struct Structure {
+    enum class Kind : std::uint8_t {
+        one,     ///< The visible region has one structure all over it;
+        lines,   ///< it may change along a line; or
+        curves,  ///< along a curve: where three edges pass one point.
+    };
+    Kind kind = Kind::one;
+    double change = 0;  ///< What the form factor may change by at most within it.
+};
+
 struct ReceiverIntegrand {
     std::function<PointValue(const Point2D&)> at_point;
     std::function<Integral(const Triangle2D&)> unobstructed;  ///< Integral over a triangle, in closed form.
+    std::function<Structure(const Triangle2D&)> structure;
 };
 
 struct QuadratureOptions {
     double tolerance = 1e-6;                 ///< Of the integral, absolute.
     std::uint64_t max_evaluations = 200000;  ///< Points; beyond, the error is what it is.
+    std::function<void()> pulse{};           ///< Called now and then, if any; may throw to end the work.
 };
 
 struct QuadratureResult {

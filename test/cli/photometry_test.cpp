@@ -135,8 +135,8 @@ TEST_F(IrradianceCommand, RefusesWithoutLeavingFiles) {
     }
     // Nor an empty folder that would have held the table.
     const std::string folder = folder_ / "new/deeper";
-    expect_refused(
-        test::run_program("irradiance " + set_ + "/scene.obj " + set_ + "/points.csv -o " + folder), "points.csv:3:");
+    expect_refused(test::run_program("irradiance " + set_ + "/scene.obj " + set_ + "/points.csv -o " + folder),
+                   "points.csv:3:");
     expect_refused(test::run_program("answer " + set_ + " -o " + folder), "points.csv:3:");
     write_file(set_ + "/points.csv", "point,x,y,z,nx,ny\n3,0,0,0,0,0\n");
     expect_refused(test::run_program("irradiance " + set_ + "/scene.obj " + set_ + "/points.csv -o " + out_),
