@@ -20,7 +20,7 @@ endfunction()
 # Same patches, same light, same exposure; only the buffer differs.
 set(same --shots 150 --exposure 0.35 --ambient --width 720 --picture-height 540)
 must("The desk without the buffer" ${COB} render ${SCENE} -o ${OUTPUT}/none --refine none ${same})
-must("The desk with the buffer" ${COB} render ${SCENE} -o ${OUTPUT}/buffer --refine buffer --buffer-edge 0.01 ${same}
+must("The desk with the buffer" ${COB} render ${SCENE} -o ${OUTPUT}/buffer --refine buffer --buffer-edge 0.005 ${same}
      --beside ${OUTPUT}/none/picture.png)
 
 must("A golden set of the desk" ${COB} golden ${SCENE} -o ${OUTPUT}/golden --edge 0.5 --segments 2000 --hard 400)
