@@ -10,11 +10,10 @@ ConvexPolygon polygon_of(const Scene& scene, const Piece& piece) {
     return polygon;
 }
 
-RationalPoint area_vector(const ConvexPolygon& polygon) {
-    RationalPoint sum;
-    for (std::size_t k = 2; k < polygon.size(); ++k)
-        sum = sum + cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-    return sum;
+ConvexPolygon polygon_of(const Corners& corners) {
+    ConvexPolygon polygon;
+    for (int k = 0; k < corners.count; ++k) polygon.push_back(corners.points[static_cast<std::size_t>(k)].rational());
+    return polygon;
 }
 
 OpenHalfSpace front_of(const ConvexPolygon& polygon) {

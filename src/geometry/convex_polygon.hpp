@@ -2,8 +2,7 @@
 /// Exact constructions with convex polygons in space: clipping by planes, and what of one lies outside another.
 #pragma once
 
-#include "cob/arithmetic.hpp"
-#include "cob/scene.hpp"
+#include "cob/geometry.hpp"
 
 #include <vector>
 
@@ -20,16 +19,23 @@ struct OpenHalfSpace {
     OpenHalfSpace opposite() const { return {-normal, origin}; }
 };
 
-/// The corners of a piece, straight ones too.
+/// The corners of a piece or an element, straight ones too.
 ConvexPolygon polygon_of(const Scene& scene, const Piece& piece);
+ConvexPolygon polygon_of(const Corners& corners);
 /// Where the polygon is visible from.
 OpenHalfSpace front_of(const ConvexPolygon& polygon);
 /// What of the polygon lies in the half-space, its border added; empty where that has no area.
 ConvexPolygon clip(const ConvexPolygon& polygon, const OpenHalfSpace& half_space);
 /// Replaces polygons of one plane by what of them lies outside another of that plane, as convex parts.
 void subtract(std::vector<ConvexPolygon>& polygons, const ConvexPolygon& hole);
-/// Normal of twice the polygon's area as length.
-RationalPoint area_vector(const ConvexPolygon& polygon);
+/// Normal of twice the polygon's area as length, whichever corners are straight.
+template <class Number>
+Vector3<Number> area_vector(const std::vector<Vector3<Number>>& polygon) {
+    Vector3<Number> sum{};
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+        sum = sum + cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
+    return sum;
+}
 /// Area in binary64, within a few units in the last place.
 double area(const ConvexPolygon& polygon);
 

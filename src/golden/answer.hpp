@@ -68,6 +68,8 @@ std::vector<Row> read_rows(TableReader<Row>& reader, std::size_t count) {
 
 /// -1 or a valid polygon of the scene; throws InputError.
 void refuse_unknown_polygon(const Scene& scene, PolygonId polygon);
+/// The two ends alone; throws InputError where SPEC 6 refuses them, or the scene does not have from and to.
+Segment checked_segment(const Scene& scene, const SegmentRow& row);
 
 /// Each opens its files, fills them and leaves them to be committed.
 void answer_boxes(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary);

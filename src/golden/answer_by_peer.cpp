@@ -42,7 +42,7 @@ void answer_by_embree(const AnswerJob& job, AnswerFiles& files, AnswerSummary& s
     const EmbreeTriangles embree(job.scene);
     OutputFile& file = begin(files, job.answer_path<VisibilityRow>(), verify::detail::hidden_header);
     summary.segments = answer_rows<SegmentRow>(job, file, [&](const SegmentRow& row, std::string& lines) {
-        const bool hidden = embree.hidden({row.from, row.to});
+        const bool hidden = embree.hidden(checked_segment(job.scene, row));
         lines = std::to_string(row.segment) + (hidden ? ",1\n" : ",0\n");
     });
 #else

@@ -1,6 +1,6 @@
 // segments.csv -> visibility.csv.
 #include "buffer/ordered_pipeline.hpp"
-#include "cob/visibility.hpp"
+#include "geometry/visibility_oracle.hpp"
 #include "golden/answer.hpp"
 
 namespace cob {
@@ -17,6 +17,14 @@ struct Block {
 
 }  // namespace
 
+Segment checked_segment(const Scene& scene, const SegmentRow& row) {
+    refuse_unknown_polygon(scene, row.from_polygon);
+    refuse_unknown_polygon(scene, row.to_polygon);
+    const Segment segment{row.from, row.to, -1, -1};
+    refuse_a_point(segment);
+    return segment;
+}
+
 void answer_segments(const AnswerJob& job, AnswerFiles& files, AnswerSummary& summary) {
     const std::string path = job.question_path<SegmentRow>();
     TableReader<SegmentRow> questions(path);
@@ -31,9 +39,7 @@ void answer_segments(const AnswerJob& job, AnswerFiles& files, AnswerSummary& su
         [&](Block& block) {
             for (const SegmentRow& row : block.rows)
                 at_line(path, row.line, [&] {
-                    refuse_unknown_polygon(job.scene, row.from_polygon);
-                    refuse_unknown_polygon(job.scene, row.to_polygon);
-                    const Segment segment{row.from, row.to, -1, -1};
+                    const Segment segment = checked_segment(job.scene, row);
                     const VisibilityAnswer answer = oracle(segment, job.options.arithmetic, &block.predicates);
                     append_row(block.visibility, VisibilityRow{row.segment, answer.visibility, answer.decided});
                     block.undecided += !answer.decided;

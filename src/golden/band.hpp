@@ -3,7 +3,7 @@
 ///
 /// Box: the smallest k of 8 to 52 such that no row of its answers changes when the box, element and all, is scaled
 /// about its centre by any factor from 1 - 2^-k to 1 + 2^-k. The centre is that of the widened rectangle, raised by
-/// half the height, which is rounded to a binary64 multiple of the element's normal.
+/// half the height, which is rounded to a binary64 multiple of the normal as long as twice the element's area.
 ///
 /// Segment: the smallest k of 8 to 52 such that its visibility stays the same when both ends are moved by e and f, -e
 /// and -f, e' and -f', -e' and f'. An end that lies on a polygon moves within its plane: e and e' are the first two

@@ -1,6 +1,7 @@
 // CGAL's own do_intersect(Triangle_3, Iso_cuboid_3) as a yes-or-no variant: does the polygon meet the closed box?
 // CGAL 5.5 answers wrongly for triangles with two coincident vertices, exact kernels included; the pieces of a scene
 // have none.
+#include "geometry/convex_polygon.hpp"
 #include "golden/bench_set.hpp"
 #include "golden/cgal_variant.hpp"
 
@@ -12,9 +13,8 @@
 namespace cob {
 
 std::optional<std::array<double, 6>> cuboid_of(const BoxQuestion& question) {
-    const RationalPoint u = question.u.rational(), first = question.corners.points[0].rational();
-    const auto corner = [&](int k) { return question.corners.points[static_cast<std::size_t>(k)].rational(); };
-    const RationalPoint n = cross(corner(1) - first, corner(2) - first);
+    const ConvexPolygon corners = polygon_of(question.corners);
+    const RationalPoint u = question.u.rational(), n = area_vector(corners);
     const auto axis_of = [](const RationalPoint& v) {
         int axis = -1, count = 0;
         for (int k = 0; k < 3; ++k)
@@ -25,11 +25,11 @@ std::optional<std::array<double, 6>> cuboid_of(const BoxQuestion& question) {
     if (axis_u < 0 || axis_n < 0) return {};
 
     // The widened rectangle, and the height from its shorter side.
-    RationalPoint low = first, high = first;
-    for (int k = 1; k < question.corners.count; ++k)
+    RationalPoint low = corners[0], high = corners[0];
+    for (const RationalPoint& corner : corners)
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], corner(k)[axis]);
-            high[axis] = std::max(high[axis], corner(k)[axis]);
+            low[axis] = std::min(low[axis], corner[axis]);
+            high[axis] = std::max(high[axis], corner[axis]);
         }
     std::optional<Rational> shorter;
     for (int axis = 0; axis < 3; ++axis) {

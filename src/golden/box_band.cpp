@@ -1,3 +1,4 @@
+#include "geometry/convex_polygon.hpp"
 #include "golden/band.hpp"
 #include "golden/box_clearance.hpp"
 
@@ -33,17 +34,14 @@ Rational rounded_root(const Rational& square) {
 /// to a binary64 multiple of the normal.
 class ScaledQuestion {
 public:
-    explicit ScaledQuestion(const BoxQuestion& question) : question_(question) {
-        const auto count = static_cast<std::size_t>(question.corners.count);
-        for (std::size_t k = 0; k < count; ++k) corners_[k] = question.corners.points[k].rational();
-        const RationalPoint u = question.u.rational();
-        const RationalPoint n = cross(corners_[1] - corners_[0], corners_[2] - corners_[0]), w = cross(n, u);
+    explicit ScaledQuestion(const BoxQuestion& question) : question_(question), corners_(polygon_of(question.corners)) {
+        const RationalPoint u = question.u.rational(), n = area_vector(corners_), w = cross(n, u);
         const Rational uu = dot(u, u), ww = dot(w, w), nn = dot(n, n);
 
         // Extents of the corners from the first, in units of u and w.
         std::array<Rational, 2> low, high;
-        for (std::size_t k = 1; k < count; ++k) {
-            const RationalPoint d = corners_[k] - corners_[0];
+        for (const RationalPoint& corner : corners_) {
+            const RationalPoint d = corner - corners_[0];
             const std::array<Rational, 2> at{dot(d, u) / uu, dot(d, w) / ww};
             for (std::size_t axis = 0; axis < 2; ++axis)
                 low[axis] = std::min(low[axis], at[axis]), high[axis] = std::max(high[axis], at[axis]);
@@ -57,14 +55,14 @@ public:
 
     Box box(const Rational& factor) const {
         BoxQuestion scaled = question_;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(question_.corners.count); ++k)
+        for (std::size_t k = 0; k < corners_.size(); ++k)
             scaled.corners.points[k] = ExactPoint(centre_ + factor * (corners_[k] - centre_));
         return Box(scaled);
     }
 
 private:
     const BoxQuestion& question_;
-    std::array<RationalPoint, 4> corners_;
+    ConvexPolygon corners_;
     RationalPoint centre_;
 };
 

@@ -1,5 +1,7 @@
 #include "golden/box_clearance.hpp"
 
+#include "geometry/convex_polygon.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -142,7 +144,7 @@ Clearance slab_factor(const CubePolygon& polygon) {
 BoxFrame::BoxFrame(const BoxQuestion& question) {
     for (int k = 0; k < question.corners.count; ++k)
         corners_.push_back(question.corners.points[static_cast<std::size_t>(k)].nearest());
-    const Point normal = cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);
+    const Point normal = area_vector(corners_);
     const Point& u = question.u.nearest();
     n_ = (1 / length(normal)) * normal;
     u_ = (1 / length(u)) * u;

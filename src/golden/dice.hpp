@@ -13,8 +13,11 @@ public:
         : state_(mix(mix(seed + golden_gamma) + stream * golden_gamma) ^ mix(index + 1)) {}
 
     std::uint64_t operator()() { return mix(state_ += golden_gamma); }
-    /// 0 to n - 1; n below 2^32. The bias is under 2^-31.
-    std::uint64_t below(std::uint64_t n) { return ((*this)() >> 32) * n >> 32; }
+    /// 0 to n - 1, from 32 bits while n is below 2^32. No value is likelier than another by 2^-32, above by 2^-64.
+    std::uint64_t below(std::uint64_t n) {
+        const int bits = n >> 32 == 0 ? 32 : 64;
+        return static_cast<std::uint64_t>(uint128{(*this)() >> (64 - bits)} * n >> bits);
+    }
     /// One of the values.
     template <class Range>
     const auto& of(const Range& range) {
@@ -23,6 +26,7 @@ public:
     bool coin() { return ((*this)() >> 63) != 0; }
 
 private:
+    __extension__ using uint128 = unsigned __int128;
     static constexpr std::uint64_t golden_gamma = 0x9e3779b97f4a7c15;
     static std::uint64_t mix(std::uint64_t z) {
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;

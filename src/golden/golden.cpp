@@ -26,7 +26,7 @@ namespace cob {
 
 namespace {
 
-constexpr std::uint64_t most_questions = 1'000'000'000'000;  ///< Of one sort: nobody has room for more.
+constexpr std::uint64_t most_questions = 1'000'000'000'000;  ///< Of one sort or shard: nobody has room for more.
 
 void check_ranges(const GoldenParameters& p, const GoldenOptions& options) {
     const auto refuse = [](const char* problem, const std::string& value, const std::string& remedy) {
@@ -45,7 +45,9 @@ void check_ranges(const GoldenParameters& p, const GoldenOptions& options) {
     if (p.grid && std::abs(*p.grid) > 1000)
         refuse("grid out of range", std::to_string(*p.grid), "choose -1000 to 1000");
     if (!p.boxes && p.segments == 0 && p.hard == 0) refuse("nothing to ask", "", "ask for boxes, --segments or --hard");
-    if (options.shard_size == 0) refuse("shard size must be positive", "0", "choose 1 or more");
+    if (options.shard_size == 0 || options.shard_size > most_questions)
+        refuse("shard size out of range", std::to_string(options.shard_size),
+               "choose 1 to " + std::to_string(most_questions));
     if (options.shards == 0) refuse("no shards", "0", "write --shard i/n with n of 1 or more");
 }
 

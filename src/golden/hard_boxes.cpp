@@ -1,5 +1,7 @@
 #include "golden/hard_boxes.hpp"
 
+#include "geometry/convex_polygon.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,13 +20,12 @@ struct Frame {
     Rational low_u, high_u, low_w, high_w;  ///< Extents of the corners along u and w, unnormalised.
 
     explicit Frame(const BoxQuestion& question) : u(question.u.rational()) {
-        const auto at = [&](std::size_t k) { return question.corners.points[k].rational(); };
-        n = cross(at(1) - at(0), at(2) - at(0));
+        const ConvexPolygon corners = polygon_of(question.corners);
+        n = area_vector(corners);
         w = cross(n, u);
-        corner = at(0);
+        corner = corners[0];
         low_u = high_u = dot(corner, u), low_w = high_w = dot(corner, w);
-        for (int k = 1; k < question.corners.count; ++k) {
-            const RationalPoint p = at(static_cast<std::size_t>(k));
+        for (const RationalPoint& p : corners) {
             const Rational along_u = dot(p, u), along_w = dot(p, w);
             low_u = std::min(low_u, along_u), high_u = std::max(high_u, along_u);
             low_w = std::min(low_w, along_w), high_w = std::max(high_w, along_w);

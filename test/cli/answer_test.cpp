@@ -87,18 +87,25 @@ TEST_F(Answer, AgreesWithClassify) {
 TEST_F(Answer, ByOtherPeoplesCode) {
     write_file(set_ + "/boxes.csv", boxes_header +
                                         "3,0,3,3,0,4,3,0,4,4,0,3,4,0,1,0,0,0.125,0.25\n" +  // under the sheet
-                                        "4,0,0,0,0,1,0,0,1,1,0,0,1,0,1,0,0,0.125,0.25\n");  // beside it
+                                        "4,0,0,0,0,1,0,0,1,1,0,0,1,0,1,0,0,0.125,0.25\n" +  // beside it
+                                        "5,0,3,3,0,4,3,0,5,3,0,3,5,0,1,0,0,0.125,0.25\n");  // straight at corner 1
     write_file(set_ + "/segments.csv", segments_header + "1,4,4,1,4,4,0.125,-1,-1\n2,1,1,1,1,1,0.125,-1,-1\n");
     for (const char* kernel : {"cgal-epick", "cgal-epeck"}) {
         const auto run = answer(std::string("--arithmetic ") + kernel);
         ASSERT_EQ(run.code, 0) << run.error;
-        EXPECT_EQ(text("relations.csv"), "box,polygon,close\n3,1,1\n") << kernel;
+        EXPECT_EQ(text("relations.csv"), "box,polygon,close\n3,1,1\n5,1,1\n") << kernel;
     }
     const auto run = answer("--arithmetic embree");
-    if (run.code == 0)
+    if (run.code == 0) {
         EXPECT_EQ(text("visibility.csv"), "segment,hidden\n1,1\n2,0\n");
-    else
+        // What SPEC 6 refuses is refused here, too.
+        for (const char* bad : {"1,4,4,1,4,4,0.125,9,-1\n", "1,4,4,1,4,4,1,-1,-1\n"}) {
+            write_file(set_ + "/segments.csv", segments_header + bad);
+            EXPECT_EQ(answer("--arithmetic embree").code, 2) << bad;
+        }
+    } else {
         EXPECT_NE(run.error.find("built without Embree"), std::string::npos) << run.error;
+    }
     EXPECT_EQ(files().count("states.csv"), 0U);
 
     write_file(set_ + "/boxes.csv", boxes_header + "3,0,3,3,0,4,3,0,4,4,0,3,4,0,1,1,0,0.125,0.25\n");

@@ -6,6 +6,7 @@
 #include "cob/manifest.hpp"
 #include "cob/tables.hpp"
 #include "cob/verify.hpp"
+#include "golden/dice.hpp"
 #include "golden/twin_check.hpp"
 #include "temporary_folder.hpp"
 
@@ -92,6 +93,43 @@ TEST(Golden, AScene600OrdersOfMagnitudeLongIsAnswered) {
     EXPECT_GE(result.segments, 60u);
     const test::TwinCheck check = test::check_with_twin(folder / "set");
     for (const std::string& difference : check.differences) ADD_FAILURE() << difference;
+}
+
+// SPEC 2: "straight angles are allowed". Wherever its loop begins, a quadrilateral gets right answers and one band.
+TEST(Golden, AStraightAngleMayStandAtAnyCorner) {
+    std::set<std::string> bands;
+    for (int first = 0; first < 4; ++first) {
+        const test::TemporaryFolder folder;
+        std::string quadrilateral = "f";
+        for (int k = 0; k < 4; ++k) quadrilateral += " " + std::to_string(1 + (first + k) % 4);
+        write_file(folder / "scene.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 2 0\nv .6 .3 .1\nv 1 .5 1\nv .2 .4 .3\n" +
+                                             quadrilateral + "\nf 5 6 7\n");
+        make_golden(folder / "scene.obj", folder / "set", small_set());
+        const test::TwinCheck check = test::check_with_twin(folder / "set");
+        for (const std::string& difference : check.differences) ADD_FAILURE() << quadrilateral << ": " << difference;
+        verify::Table tags(folder / "set/tags.csv", {"question,id,kind,band"});
+        ASSERT_TRUE(tags.next());
+        bands.insert(std::string(tags.field(3)));
+    }
+    EXPECT_EQ(bands, std::set<std::string>{"8"});
+}
+
+// A level of 12 can have more elements than 2^32: all of them are drawn.
+TEST(Golden, DiceReachEveryNumber) {
+    const std::uint64_t n = std::uint64_t{3} << 33;
+    Dice dice(1, 2, 3);
+    std::set<std::uint64_t> sixths;
+    for (int k = 0; k < 100; ++k) sixths.insert(dice.below(n) >> 32);
+    EXPECT_EQ(sixths, (std::set<std::uint64_t>{0, 1, 2, 3, 4, 5}));
+}
+
+// Nothing is made of a size with which the number of shards would overflow to none.
+TEST(Golden, AShardSizeOutOfRangeIsRefused) {
+    const test::TemporaryFolder folder;
+    for (const std::uint64_t size : {std::uint64_t{0}, ~std::uint64_t{0}}) {
+        EXPECT_THROW(make_golden(data("figure2.obj"), folder / "set", small_set(), shards_of(size)), InputError);
+        EXPECT_FALSE(fs::exists(folder / "set"));
+    }
 }
 
 TEST(Golden, EveryHardKindIsMade) {
