@@ -53,6 +53,9 @@ struct BufferOptions {
     BufferMode mode = BufferMode::strict;
     Arithmetic arithmetic = Arithmetic::exact;  ///< Or rational: the same without filters.
     bool all_lights = false;                    ///< Test every light for facing every box (BoxClassifier).
+    /// A buffer with more polygons is not built from: where it is no hint, the scene's candidates name the few of them
+    /// that matter faster, and the answers are the same (Omission::levels).
+    std::size_t longest_list = 64;
 };
 
 /// What building cost; add them up per thread.

@@ -66,12 +66,13 @@ struct ClassifyOptions {
     BufferLevels levels = BufferLevels::automatic;
     bool relations = true;  ///< Find all neighbours; false: only what the state and its lists need.
     bool apart = false;     ///< No polygon is near the box of another (Omission::buffers): all is empty without a test.
+    bool questions = true;  ///< Say what box was asked about; false: where `apart` needs none, none is made.
 };
 
 /// An element's classification.
 struct ClassifiedElement {
     Element element;
-    BoxQuestion question;
+    BoxQuestion question;  ///< Only with ClassifyOptions::questions.
     Classification found;  ///< As built from the whole scene; neighbours are complete only with `relations`.
     /// Where it has a buffer around it that is occluded and the mode is inherit: occluded, the state that it inherits.
     std::optional<BufferState> inherited;
@@ -110,6 +111,7 @@ private:
     void renew_around(std::uint64_t number);
     void renew_automatic(std::uint64_t number);
     void take_candidates(Around& around) const;
+    bool hands_down(const Around* around) const;
     void classify(const Box& box, const Around* around, Classification& found, bool compared);
 
     const ElementList& elements_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cob/arithmetic.hpp"
+#include "cob/buffer.hpp"
 #include "cob/geometry.hpp"
 #include "cob/scene.hpp"
 
@@ -24,7 +25,7 @@ enum class Omission : std::uint8_t {
     grey,     ///< One channel instead of three: all materials in use are grey.
     black,    ///< Patches that neither reflect nor emit are never looked at as shooters.
     tree,     ///< No tree over few polygons.
-    levels,   ///< No second level of buffers where many polygons are around (BufferLevels::automatic).
+    levels,   ///< No buffer built from one around it where many polygons are around that one.
 };
 inline constexpr std::array<Omission, 9> all_omissions{Omission::convex, Omission::shaft,   Omission::filter,
                                                        Omission::lights, Omission::buffers, Omission::grey,
@@ -66,13 +67,14 @@ public:
         bool left_out() const { return possible && !kept; }
     };
 
-    /// Decides everything that can be known before a run. Facts about pairs of polygons are looked for in bounded
-    /// time: in large scenes one that holds may go unnoticed, and its reason says so.
+    /// Decides everything that can be known before a run.
     Omissions(const Scene& scene, const Roots& roots, const OmissionOptions& options);
 
     bool operator()(Omission omission) const { return of(omission).left_out(); }
     const Decision& of(Omission omission) const { return decisions_[static_cast<std::size_t>(omission)]; }
     const std::array<Decision, all_omissions.size()>& decisions() const { return decisions_; }
+    /// What of it concerns the building of one buffer: filter, lights, levels.
+    void apply_to(BufferOptions& options) const;
 
 private:
     std::array<Decision, all_omissions.size()> decisions_;

@@ -49,13 +49,18 @@ CloseObjectBuffer BufferBuilder::build(const Element& element, CloseObjectBuffer
     }
     if (parent.state() != BufferState::close) return build(element, statistics);
 
-    // From the parent's list.
+    // From the parent's list, unless it is long.
     const Box box(box_question(scene_, roots_[element.root], element, options_.margin, options_.height));
     BoxClassifier classifier(scene_, options_.arithmetic, options_.all_lights);
     Classification found;
-    classifier.among(box, polygons(parent), found);
+    const bool from_scene = polygons(parent).size() > options_.longest_list;
+    if (from_scene)
+        classifier.from_scene(box, source_, found);
+    else
+        classifier.among(box, polygons(parent), found);
     if (statistics != nullptr) {
         ++statistics->built[static_cast<std::size_t>(found.state)];
+        statistics->from_scene += from_scene;
         statistics->tested += found.tested;
         statistics->light_tests += classifier.light_tests();
         statistics->predicates += classifier.counters();

@@ -5,19 +5,17 @@
 namespace cob {
 namespace {
 
-// Measured: where a buffer around elements costs as much as it spares.
-constexpr std::size_t longest_list = 64, most_an_element = 4;
-
-/// Whether elements are built from this buffer around them. Boxes nest: what meets the box of an element meets the box
-/// around it. An occluded buffer stores no polygons and is only a hint (SPEC 5); of a long list the scene's tree finds
-/// the few that matter faster.
-template <class Around>
-bool hands_down(const Around* around) {
-    return around != nullptr && around->found.state != BufferState::uninitialised &&
-           around->found.state != BufferState::occluded && around->candidates.size() <= longest_list;
-}
+// Measured: with more polygons an element, a buffer around elements costs as much as it spares.
+constexpr std::size_t most_an_element = 4;
 
 }  // namespace
+
+/// Whether elements are built from this buffer around them. Boxes nest: what meets the box of an element meets the box
+/// around it. An occluded buffer stores no polygons and is only a hint (SPEC 5).
+bool ElementClassifier::hands_down(const Around* around) const {
+    return around != nullptr && around->found.state != BufferState::uninitialised &&
+           around->found.state != BufferState::occluded && around->candidates.size() <= options_.buffer.longest_list;
+}
 
 ClassifyStatistics& ClassifyStatistics::operator+=(const ClassifyStatistics& other) {
     for (std::size_t k = 0; k < elements.size(); ++k) elements[k] += other.elements[k];
@@ -40,10 +38,10 @@ ElementClassifier::ElementClassifier(const ElementList& elements, const Candidat
 
 void ElementClassifier::operator()(std::uint64_t number, ClassifiedElement& result) {
     result.element = elements_[number];
-    const Root& root = elements_.root_of(result.element);
-    result.question =
-        box_question(elements_.scene(), root, result.element, options_.buffer.margin, options_.buffer.height);
     result.inherited.reset();
+    if (!options_.apart || options_.questions)
+        result.question = box_question(elements_.scene(), elements_.root_of(result.element), result.element,
+                                       options_.buffer.margin, options_.buffer.height);
     if (options_.apart) {
         result.found = Classification{};
         result.found.state = BufferState::empty;
@@ -88,7 +86,7 @@ void ElementClassifier::renew_around(std::uint64_t number) {
             const Around* const outer = depth_ > 0 ? &around_[depth_ - 1] : nullptr;
             if (strict && !hands_down(outer)) {
                 // Of many polygons no list would be used, so it is not made: the buffer stays uninitialised.
-                if (!classifier_.from_scene(box, source_, longest_list, here.found)) {
+                if (!classifier_.from_scene(box, source_, options_.buffer.longest_list, here.found)) {
                     here.found.state = BufferState::uninitialised;
                     continue;
                 }
@@ -119,8 +117,8 @@ void ElementClassifier::renew_automatic(std::uint64_t number) {
         const Element& element = wanted_[k];
         const Box box(box_question(elements_.scene(), elements_.root_of(element), element, options_.buffer.margin,
                                    options_.buffer.height));
-        const std::uint64_t few =
-            std::min<std::uint64_t>(longest_list, most_an_element * elements_.elements_in(number, element));
+        const std::uint64_t few = std::min<std::uint64_t>(options_.buffer.longest_list,
+                                                          most_an_element * elements_.elements_in(number, element));
         if (classifier_.from_scene(box, source_, few, here.found)) {
             here.element = element;
             take_candidates(here);

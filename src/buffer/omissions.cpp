@@ -1,65 +1,16 @@
 #include "cob/omissions.hpp"
 
-#include "arithmetic/orientation.hpp"
+#include "buffer/scene_facts.hpp"
 #include "cob/error.hpp"
-#include "geometry/bounds.hpp"
-#include "scene/piece_plane.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace cob {
 namespace {
 
-/// Most pairs that are looked at for one fact: some milliseconds.
-constexpr std::uint64_t most_pairs = 1 << 20;
-/// Preparing a box costs about as much as looking at so many pairs.
-constexpr std::uint64_t pairs_per_box = 256;
-
 std::string name(PolygonId polygon) {
     return "polygon " + std::to_string(polygon);
-}
-
-/// A fact, and the reason for it or against it.
-struct Fact {
-    bool holds = false;
-    std::string reason;
-};
-
-/// No piece reaches strictly behind the plane of another. Then a segment between two of them that leaves the one in
-/// front and arrives at the other's front meets a third piece at its ends at most: a point of its inside that is on a
-/// plane would put both ends on it, and with them, all being in front, both pieces.
-Fact find_convex(const Scene& scene) {
-    std::uint64_t looked = 0;
-    for (const Piece& wall : scene.pieces()) {
-        const std::array<Point, 3> plane = plane_of(scene, wall);
-        for (const Piece& other : scene.pieces()) {
-            for (const VertexId corner : scene.corners(other))
-                if (orientation(plane[0], plane[1], plane[2], scene.position(corner)) == Sign::negative)
-                    return {false, name(other.polygon) + " reaches behind the plane of " + name(wall.polygon)};
-            if (++looked > most_pairs) return {false, "too many polygons to compare each with each"};
-        }
-    }
-    return {true, "the scene is convex: no polygon reaches behind the plane of another"};
-}
-
-/// The bounds of the box over every root are met by no other polygon. Boxes of elements lie within.
-Fact find_apart(const Scene& scene, const Roots& roots, const OmissionOptions& options) {
-    std::vector<Bounds> bounds;
-    for (PolygonId p = 0; p < scene.polygon_count(); ++p) bounds.push_back(bounds_of(scene, scene.loop(p)));
-    std::uint64_t looked = 0;
-    for (RootId id = 0; id < roots.size(); ++id) {
-        const Root& root = roots[id];
-        const Box box(box_question(scene, root, root_element(id), options.margin, options.height));
-        const auto& b = box.bounds();
-        const Bounds around{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-        looked += pairs_per_box;
-        for (PolygonId p = 0; p < scene.polygon_count(); ++p) {
-            if (p != root.polygon && scene.polygon(p).valid && bounds[static_cast<std::size_t>(p)].meets(around))
-                return {false, name(p) + " is near the box of " + name(root.polygon)};
-            if (++looked > most_pairs) return {false, "too many polygons to compare each with each"};
-        }
-    }
-    return {true, "no polygon is near the box of another"};
 }
 
 Fact find_grey(const Scene& scene) {
@@ -117,7 +68,7 @@ Fact find(Omission omission, const Scene& scene, const Roots& roots, const Omiss
         case Omission::tree:
             return find_few(scene);
         case Omission::levels:
-            return {true, "a second level of buffers only where few polygons are around (--buffer auto)"};
+            return {true, "no buffer is built from one with many polygons around it, but from the scene"};
     }
     return {};
 }
@@ -182,6 +133,12 @@ Omissions::Omissions(const Scene& scene, const Roots& roots, const OmissionOptio
         decisions_[static_cast<std::size_t>(omission)] = {omission, fact.holds, options.keep.has(omission),
                                                           fact.reason};
     }
+}
+
+void Omissions::apply_to(BufferOptions& options) const {
+    options.arithmetic = (*this)(Omission::filter) ? Arithmetic::exact : Arithmetic::rational;
+    options.all_lights = !(*this)(Omission::lights);
+    if (!(*this)(Omission::levels)) options.longest_list = std::numeric_limits<std::size_t>::max();
 }
 
 }  // namespace cob

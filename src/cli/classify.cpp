@@ -81,8 +81,7 @@ struct ClassifyCommand {
         const ElementList elements(read_scene, roots, cut);
         const Omissions omissions(read_scene, roots,
                                   {keep.set(), options.classify.buffer.margin, options.classify.buffer.height});
-        options.classify.buffer.arithmetic = omissions(Omission::filter) ? Arithmetic::exact : Arithmetic::rational;
-        options.classify.buffer.all_lights = !omissions(Omission::lights);
+        omissions.apply_to(options.classify.buffer);
         if (levels == "auto" && !omissions(Omission::levels)) options.classify.levels = BufferLevels::polygon;
         options.classify.apart = omissions(Omission::buffers);
         summary.mesh_seconds = watch.lap();

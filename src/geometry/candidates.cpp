@@ -4,29 +4,46 @@
 #include "geometry/bounds.hpp"
 #include "geometry/candidates_trees.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
 namespace cob {
 namespace {
 
 /// Everything, without a tree: for scenes of few polygons, and as a witness for the trees.
 class AllCandidates final : public CandidateSource {
 public:
-    explicit AllCandidates(const Scene& scene) : scene_(scene) {}
+    explicit AllCandidates(const Scene& scene) {
+        for (PolygonId id = 0; id < scene.polygon_count(); ++id)
+            polygons_.push_back(scene.polygon(id).valid ? bounds_of(scene, scene.loop(id)) : Bounds{});
+        for (const Piece& piece : scene.pieces()) pieces_.push_back(bounds_of(scene, scene.corners(piece)));
+    }
 
     void polygons_in(const std::array<double, 6>& bounds, Callback callback) const override {
         const Bounds wanted{{bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}};
-        for (PolygonId id = 0; id < scene_.polygon_count(); ++id)
-            if (scene_.polygon(id).valid && bounds_of(scene_, scene_.loop(id)).meets(wanted) &&
-                !callback.call(callback.context, id))
-                return;
+        for (std::size_t id = 0; id < polygons_.size(); ++id)
+            if (polygons_[id].meets(wanted) && !callback.call(callback.context, static_cast<PolygonId>(id))) return;
     }
-    void pieces_along(const Point&, const Point&, PieceCallback callback) const override {
-        for (PieceId id = 0; id < static_cast<PieceId>(scene_.pieces().size()); ++id)
-            if (!callback.call(callback.context, id, false)) return;
+    void pieces_along(const Point& from, const Point& to, PieceCallback callback) const override {
+        // Each end is off the exact one by half an ulp at most.
+        Bounds along;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = from[static_cast<int>(axis)], y = to[static_cast<int>(axis)];
+            const double ulp = std::max(std::abs(x), std::abs(y)) * 0x1p-52 + std::numeric_limits<double>::denorm_min();
+            along.low[axis] = std::min(x, y) - ulp;
+            along.high[axis] = std::max(x, y) + ulp;
+        }
+        for (std::size_t id = 0; id < pieces_.size(); ++id)
+            if (pieces_[id].meets(along) && !callback.call(callback.context, static_cast<PieceId>(id), false)) return;
     }
-    std::size_t memory() const override { return sizeof *this; }
+    std::size_t memory() const override {
+        return sizeof *this + (polygons_.capacity() + pieces_.capacity()) * sizeof(Bounds);
+    }
 
 private:
-    const Scene& scene_;
+    std::vector<Bounds> polygons_, pieces_;  ///< By number; empty of polygons that are not valid, and so never met.
 };
 
 }  // namespace

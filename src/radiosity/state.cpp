@@ -44,11 +44,12 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
     sheets = std::make_unique<Sheets>(scene, *candidates);
     arena_.execute(
         [&] { transport = std::make_unique<Transport>(scene, *mesh, *candidates, *sheets, options, omissions); });
-    builder = std::make_unique<BufferBuilder>(
-        scene, roots, *candidates,
-        BufferOptions{options.buffer.margin, options.buffer.height, options.buffer.mode,
-                      omissions(Omission::filter) ? Arithmetic::exact : Arithmetic::rational,
-                      !omissions(Omission::lights)});
+    BufferOptions buffers;
+    buffers.margin = options.buffer.margin;
+    buffers.height = options.buffer.height;
+    buffers.mode = options.buffer.mode;
+    omissions.apply_to(buffers);
+    builder = std::make_unique<BufferBuilder>(scene, roots, *candidates, buffers);
     root_buffers.resize(static_cast<std::size_t>(roots.size()));
     add_cells();
 

@@ -111,6 +111,7 @@ ClassifySceneResult classify_scene(const ElementList& elements, const CandidateS
                                    const std::string& folder, const ClassifySceneOptions& options) {
     ClassifySceneOptions plan = options;
     plan.classify.relations = options.relations;
+    plan.classify.questions = options.boxes || options.relations || options.ply;
     BufferBuilder builder(elements.scene(), elements.roots(), source, plan.classify.buffer);
     std::vector<CloseObjectBuffer> buffers;
     buffers.reserve(elements.size());

@@ -2,15 +2,18 @@
 /// omission alone and all together, on every shipped scene and on random ones.
 #include "cob/omissions.hpp"
 
+#include "arithmetic/orientation.hpp"
 #include "cob/classify.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/solver.hpp"
+#include "geometry/bounds.hpp"
 #include "naive/dice.hpp"
 #include "report/camera.hpp"
 #include "report/classify_scene.hpp"
 #include "report/picture.hpp"
 #include "report/solution_files.hpp"
+#include "scene/piece_plane.hpp"
 #include "scenes.hpp"
 #include "temporary_folder.hpp"
 
@@ -57,9 +60,8 @@ std::string classified(const Scene& scene, const OmissionSet& keep) {
     const cob::ElementList elements(scene, roots, {0, 1});
     const Omissions omissions(scene, roots, {keep, cob::Rational(1, 8), cob::Rational(1, 4)});
     cob::ClassifySceneOptions options;
-    options.classify.buffer.arithmetic =
-        omissions(Omission::filter) ? cob::Arithmetic::exact : cob::Arithmetic::rational;
-    options.classify.buffer.all_lights = !omissions(Omission::lights);
+    omissions.apply_to(options.classify.buffer);
+    if (!omissions(Omission::levels)) options.classify.levels = cob::BufferLevels::polygon;
     options.classify.apart = omissions(Omission::buffers);
     const auto source = cob::make_candidates(scene, omissions(Omission::tree) ? cob::Source::all : cob::Source::cgal);
     classify_scene(elements, *source, folder.path(), options);
@@ -81,10 +83,10 @@ void expect_the_same(const Scene& scene, const RadiosityOptions& options) {
     const std::string bytes = rendered(scene, options, {}), answers = classified(scene, {});
     ASSERT_GT(bytes.size(), 1000u);
     for (const Omission omission : cob::all_omissions) {
-        if (omission == Omission::filter) continue;  // slow, and part of all
         OmissionSet one;
         one.add(omission);
         EXPECT_EQ(rendered(scene, options, one), bytes) << scene.name() << " " << to_text(omission);
+        EXPECT_EQ(classified(scene, one), answers) << scene.name() << " " << to_text(omission);
     }
     EXPECT_EQ(rendered(scene, options, OmissionSet::all()), bytes) << scene.name();
     EXPECT_EQ(classified(scene, OmissionSet::all()), answers) << scene.name();
@@ -163,6 +165,98 @@ TEST(LeavingOut, ChangesNoByteOnRandomScenes) {
         EXPECT_GT(left_out[static_cast<std::size_t>(omission)], 0) << to_text(omission);
         EXPECT_GT(needed[static_cast<std::size_t>(omission)], 0) << to_text(omission);
     }
+}
+
+/// A floor, and over it rows of `count` sheets, each `raised` higher than the one before; under a lamp.
+Scene sheets_over_floor(int count, double raised) {
+    scenes::Builder b;
+    const double side = count;
+    b.add({{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}}, {0.5, 0.5, 0.5});
+    for (int k = 0; k < count * count; ++k) {
+        const double x = k % count + 0.25, y = k / count + 0.25, z = (k + 1) * raised;
+        b.add({{x, y, z}, {x + 0.5, y, z}, {x + 0.5, y + 0.5, z}, {x, y + 0.5, z}}, {0.5, 0.5, 0.5});
+    }
+    const double low = side / 2, high = low + 1, z = 2 * side;
+    b.add({{low, low, z}, {low, high, z}, {high, high, z}, {high, low, z}}, {0, 0, 0}, {10, 10, 10});
+    return b.scene();
+}
+
+// Where a list is so long that nothing is built from it, too.
+TEST(LeavingOut, ChangesNoByteUnderManyDetails) {
+    const Scene scene = sheets_over_floor(9, 0x1p-10);
+    const cob::Roots roots(scene);
+    const auto source = make_candidates(scene, cob::Source::cgal);
+    cob::BufferBuilder builder(scene, roots, *source, {});
+    const cob::CloseObjectBuffer floor = builder.build(cob::root_element(0));
+    ASSERT_EQ(builder.polygons(floor).size(), 81u);
+    cob::BufferStatistics statistics;
+    builder.build(cob::children(roots[0], cob::root_element(0))[0], floor, &statistics);
+    EXPECT_EQ(statistics.from_scene, 1u);
+    RadiosityOptions options = cheap(2, 1000);
+    options.patch_edge = 3;
+    expect_the_same(scene, options);
+}
+
+/// The facts by definition: every pair.
+bool is_convex(const Scene& scene) {
+    for (const cob::Piece& wall : scene.pieces()) {
+        const auto plane = cob::plane_of(scene, wall);
+        for (const cob::Piece& other : scene.pieces())
+            for (const cob::VertexId corner : scene.corners(other))
+                if (orientation(plane[0], plane[1], plane[2], scene.position(corner)) == cob::Sign::negative)
+                    return false;
+    }
+    return true;
+}
+
+bool is_apart(const Scene& scene, const cob::Roots& roots) {
+    for (const cob::Root& root : roots.all()) {
+        const cob::Box box(box_question(scene, root, cob::root_element(root.id), {1, 8}, {1, 4}));
+        const auto& b = box.bounds();
+        const cob::Bounds around{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+        for (cob::PolygonId p = 0; p < scene.polygon_count(); ++p)
+            if (p != root.polygon && bounds_of(scene, scene.loop(p)).meets(around)) return false;
+    }
+    return true;
+}
+
+TEST(LeavingOut, FactsAboutPairsHoldOfEveryPair) {
+    int convex = 0, apart = 0, decided = 0;
+    const auto compare = [&](const Scene& scene) {
+        const cob::Roots roots(scene);
+        const Omissions omissions(scene, roots, {});
+        EXPECT_EQ(omissions(Omission::convex), is_convex(scene));
+        EXPECT_EQ(omissions(Omission::buffers), is_apart(scene, roots));
+        convex += omissions(Omission::convex);
+        apart += omissions(Omission::buffers);
+        ++decided;
+    };
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        SCOPED_TRACE(seed);
+        compare(random_scene(seed));
+    }
+    EXPECT_GT(convex, 20);
+    EXPECT_LT(convex, decided - 20);
+    EXPECT_GT(apart, 20);
+    EXPECT_LT(apart, decided - 20);
+
+    // However many polygons there are: tiles of a floor and one an ulp off it; plates and one over the first, in reach
+    // of its box (5/16 high) or not.
+    const auto last_of = [](double spacing, double z) {
+        scenes::Builder b;
+        for (int k = 0; k <= 1600; ++k) {
+            const double x = k % 1600 % 40 * spacing, y = k % 1600 / 40 * spacing, h = k == 1600 ? z : 0;
+            b.add({{x, y, h}, {x + 1, y, h}, {x + 1, y + 1, h}, {x, y + 1, h}}, {0.5, 0.5, 0.5});
+        }
+        return b.scene();
+    };
+    const auto decide = [](const Scene& scene) { return Omissions(scene, cob::Roots(scene), {}); };
+    EXPECT_TRUE(decide(last_of(1, 0))(Omission::convex));
+    EXPECT_EQ(decide(last_of(1, -0x1p-1074)).of(Omission::convex).reason,
+              "polygon 1600 reaches behind the plane of polygon 1599");
+    EXPECT_EQ(decide(last_of(1, 0x1p-1074)).of(Omission::convex).reason.substr(0, 8), "polygon ");
+    EXPECT_TRUE(decide(last_of(2, 0.3126))(Omission::buffers));
+    EXPECT_EQ(decide(last_of(2, 0.3125)).of(Omission::buffers).reason, "polygon 1600 is near the box of polygon 0");
 }
 
 TEST(LeavingOut, IsDecidedFromExactFacts) {
