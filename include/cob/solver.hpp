@@ -104,7 +104,7 @@ struct RadiosityTimes {
     double total() const { return meshing + interaction + buffer + shooting + refinement + gradient; }
 };
 
-/// The two books (issue "Progressive refinement radiosity"): nothing is ever renormalised.
+/// The two books: nothing is ever renormalised.
 struct EnergyBooks {
     // Bookkeeping: both sums say how much flux has been made so far, in W; they differ by rounding only.
     Rgb by_elements{};  ///< Sum of A_i M_i over elements.
@@ -121,7 +121,8 @@ struct EnergyBooks {
 
 class RadiositySolver {
 public:
-    /// Cuts the patches. The scene must outlive it. Throws InputError: no lights, reflectance of 1 and the like.
+    /// Cuts the patches. The scene must outlive it. Throws InputError: no light that shines, reflectance of 1 and the
+    /// like.
     RadiositySolver(const Scene& scene, RadiosityOptions options);
     ~RadiositySolver();
     RadiositySolver(RadiositySolver&&) noexcept;

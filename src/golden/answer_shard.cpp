@@ -1,35 +1,15 @@
 #include "golden/answer_shard.hpp"
 
+#include "buffer/shared_cache.hpp"
 #include "golden/band.hpp"
 
 #include <tbb/parallel_for.h>
-
-#include <unordered_map>
 
 namespace cob {
 
 namespace {
 
 constexpr std::uint64_t block_size = 256;  ///< Questions that one task answers.
-
-/// What polygons share, computed once for all boxes over the same polygon.
-class SharedOf {
-public:
-    explicit SharedOf(const Scene& scene) : scene_(scene) {}
-
-    Shared operator()(PolygonId own, PolygonId other) {
-        if (own == no_polygon) return Shared::none;
-        if (own != own_) known_.clear(), own_ = own;
-        const auto [entry, is_new] = known_.try_emplace(other, Shared::none);
-        if (is_new) entry->second = shared(scene_, own, other);
-        return entry->second;
-    }
-
-private:
-    const Scene& scene_;
-    PolygonId own_ = no_polygon;
-    std::unordered_map<PolygonId, Shared> known_;
-};
 
 }  // namespace
 
@@ -60,7 +40,7 @@ ShardMaker::Shard ShardMaker::box_block(std::uint64_t first, std::uint64_t last)
     std::string boxes, states, relations, tags;
     Shard shard;
     BoxBands bands(scene_, candidates_, bounds_);
-    SharedOf shared_with(scene_);
+    SharedCache shared_with(scene_);
     Classification found;
     for (std::uint64_t number = first; number < last; ++number) {
         const BoxTask task = questions_.box(number);

@@ -34,8 +34,6 @@ public:
     int operator()(const BoxQuestion& question, Classification& result);
 
 private:
-    bool stays(const BoxQuestion& question, const Classification& result, int k);
-
     const Scene& scene_;
     const CandidateSource& source_;
     const std::vector<Bounds>& bounds_;

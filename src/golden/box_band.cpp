@@ -123,28 +123,26 @@ int BoxBands::operator()(const BoxQuestion& question, Classification& result) {
 
     // Exact arithmetic decides between the bands that are left.
     int low = band_of(nearest.high), high = band_of(nearest.low);
-    if (low < high && high == highest_band) {
-        // What binary64 cannot tell from a switch mostly is one.
-        if (!stays(question, result, --high)) return highest_band;
-    }
+    if (low >= high) return low;
+    const ScaledQuestion scaled(question);
+    const auto stays = [&](int k) {
+        for (const double sign : {-1.0, 1.0}) {
+            moved_.among(scaled.box(1 + Rational(std::ldexp(sign, -k))), {near_.data(), near_.data() + near_.size()},
+                         scratch_);
+            if (!same_answers(scratch_, result)) return false;
+        }
+        return true;
+    };
+    // What binary64 cannot tell from a switch mostly is one.
+    if (high == highest_band && !stays(--high)) return highest_band;
     while (low < high) {
         const int middle = (low + high) / 2;
-        if (stays(question, result, middle))
+        if (stays(middle))
             high = middle;
         else
             low = middle + 1;
     }
     return low;
-}
-
-bool BoxBands::stays(const BoxQuestion& question, const Classification& result, int k) {
-    const ScaledQuestion scaled(question);
-    for (const int sign : {-1, 1}) {
-        const Rational factor = 1 + Rational(std::ldexp(static_cast<double>(sign), -k));
-        moved_.among(scaled.box(factor), {near_.data(), near_.data() + near_.size()}, scratch_);
-        if (!same_answers(scratch_, result)) return false;
-    }
-    return true;
 }
 
 }  // namespace cob

@@ -5,7 +5,6 @@
 /// or it misses the shaft between their bounding boxes.
 #pragma once
 
-#include "cob/omissions.hpp"
 #include "radiosity/planes.hpp"
 #include "radiosity/shaft.hpp"
 #include "scene/box_tree.hpp"

@@ -65,6 +65,9 @@ std::optional<Sign> sign_of_coefficients(const std::array<Interval, n>& c, doubl
 PairShapes::PairShapes(const ConvexPolygon& receiver, double scale) : receiver_(receiver), scale_(scale) {
     const RationalPoint normal = area_vector(receiver), side = receiver[1] - receiver[0];
     axes_ = {unit(side), unit(cob::cross(normal, side)), unit(normal)};
+    std::size_t third = 2;
+    while (cob::cross(side, receiver[third] - receiver[0]) == RationalPoint{}) ++third;
+    span_ = {receiver[0], receiver[1], receiver[third]};
 }
 
 IntervalPoint PairShapes::local(const RationalPoint& point) const {
@@ -95,9 +98,8 @@ bool PairShapes::always_in_plane(VertexId a, VertexId b, VertexId v) const {
     const auto [known, is_new] = degenerate_.try_emplace(key, true);
     if (!is_new) return known->second;
     const auto at = [&](VertexId id) { return exact_[static_cast<std::size_t>(id)]; };
-    // Three points that span the plane decide: the determinant is linear.
-    const std::size_t third = receiver_.size() - 1;
-    for (const RationalPoint& x : {receiver_[0], receiver_[1], receiver_[third]})
+    // Linear: three points that span the plane decide.
+    for (const RationalPoint& x : span_)
         if (cob::dot(cob::cross(at(a) - x, at(b) - x), at(v) - x) != 0) known->second = false;
     return known->second;
 }
@@ -106,10 +108,9 @@ bool PairShapes::always_in_line(const std::array<VertexId, 6>& sides) const {
     const auto [known, is_new] = degenerate_.try_emplace(sides, true);
     if (!is_new) return known->second;
     // Quadratic: six points decide, the corners and the middles of the sides of a triangle.
-    const std::array<RationalPoint, 3> corner{receiver_[0], receiver_[1], receiver_.back()};
     for (std::size_t i = 0; i < 3 && known->second; ++i)
         for (std::size_t j = i; j < 3 && known->second; ++j) {
-            const RationalPoint x = Rational(1, 2) * (corner[i] + corner[j]);
+            const RationalPoint x = Rational(1, 2) * (span_[i] + span_[j]);
             const auto normal = [&](std::size_t k) {
                 return cob::cross(exact_[static_cast<std::size_t>(sides[2 * k])] - x,
                                   exact_[static_cast<std::size_t>(sides[2 * k + 1])] - x);

@@ -17,7 +17,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace cob::radiosity {
@@ -46,6 +45,7 @@ public:
 
 private:
     ConvexPolygon receiver_;
+    std::array<RationalPoint, 3> span_;  ///< Three of its corners, not on one line.
     double scale_;
     std::array<IntervalPoint, 3> axes_;
     std::vector<RationalPoint> exact_;

@@ -49,8 +49,7 @@ private:
 
 void CertifiedCubature::evaluate(Cell& cell) const {
     const double all = area(cell.triangle);
-    cell.flux = {0, all};
-    const Interval bounds = cell.flux;
+    const Interval bounds{0, all};
     double sliver = 0;
     try {
         cell.occluders = between(shapes_, cell.triangle, lights_, cell.occluders);

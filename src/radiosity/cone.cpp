@@ -118,11 +118,7 @@ Ray PlanesThroughPoint::meet(PlaneRef first, PlaneRef second) const {
 Sign PlanesThroughPoint::side(PlaneRef ref, const Ray& ray) const {
     if (ray.first.index == ref.index || ray.second.index == ref.index) return Sign::zero;
     if (ray.vertex >= 0 && contains(ref, ray.vertex)) return Sign::zero;
-    if (const auto certain = dot(normal(ref), ray.direction).sign()) {
-        ++counters_.filtered;
-        return *certain;
-    }
-    ++counters_.rational;
+    if (const auto certain = dot(normal(ref), ray.direction).sign()) return *certain;
     return sign_of(cob::dot(exact_normal(ref), exact_direction(ray)));
 }
 

@@ -74,9 +74,6 @@ public:
     /// A number, well mixed, that names what the plane goes through, the same from every viewpoint.
     std::uint64_t key(PlaneRef plane) const;
 
-    /// What exact work was needed.
-    const PredicateCounters& counters() const { return counters_; }
-
 private:
     struct Plane {
         BoundedVector normal;
@@ -92,7 +89,6 @@ private:
     const Viewpoint* viewpoint_;
     mutable std::vector<Plane> planes_;
     std::unordered_map<std::uint64_t, std::int32_t> edges_;
-    mutable PredicateCounters counters_;
 };
 
 }  // namespace cob::radiosity

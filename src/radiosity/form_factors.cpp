@@ -195,7 +195,9 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
     for (std::size_t k = 0; k < samples; ++k) {
         const PiecePair& pair = *timed[k * timed.size() / samples];
         if (self.options.certified)
-            certified_flux(self.context, pair, {self.options.tolerance * self.polygons[0].area, budget, {}});
+            certified_flux(
+                self.context, pair,
+                {self.options.tolerance * self.polygons[self.scene.piece(pair.receiver).polygon].area, budget, {}});
         else
             sample_point(self.context, pair);
     }
@@ -214,8 +216,9 @@ FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
     Counter counter(progress, self.pairs.size());
     in_parallel(self.options.threads, self.pairs.size(), [&](std::size_t k) {
         const auto pulse = [&counter] { counter.pulse(); };
-        fluxes[k][0] = self.flux(self.pairs[k], false, pulse);
-        if (self.options.both_sides) fluxes[k][1] = self.flux(self.pairs[k], true, pulse);
+        const PolygonPair& pair = self.pairs[k];
+        fluxes[k][0] = self.flux(pair, false, pulse);
+        if (self.options.both_sides && pair.smaller != pair.larger) fluxes[k][1] = self.flux(pair, true, pulse);
         counter.step();
     });
 

@@ -5,6 +5,7 @@
 #include "radiosity/visible_light.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace cob {
 
@@ -78,8 +79,10 @@ LightAtPoint IrradianceOracle::operator()(const ExactPoint& point, const Rationa
     const Implementation& self = *implementation_;
     const auto known = std::lower_bound(self.lights.begin(), self.lights.end(), light);
     const bool is_light = known != self.lights.end() && *known == light;
-    const Implementation::Light prepared =
-        is_light ? self.prepared[static_cast<std::size_t>(known - self.lights.begin())] : self.prepare(light);
+    std::optional<Implementation::Light> other;
+    const Implementation::Light& prepared = is_light
+                                                ? self.prepared[static_cast<std::size_t>(known - self.lights.begin())]
+                                                : other.emplace(self.prepare(light));
     const LightView view = view_light(Viewpoint(self.pieces, point), ReceiverNormal(normal), prepared.pieces,
                                       self.occluders(point, prepared.bounds), Precision::certain);
     return {view.unobstructed, view.visible, view.solid_angle, view.parts};

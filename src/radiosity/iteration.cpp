@@ -25,9 +25,7 @@ Classification nothing_close() {
 }  // namespace
 
 bool RadiositySolver::State::stopped() const {
-    return counters.shots >= options.stop.shots ||
-           static_cast<std::int64_t>(mesh->leaf_count()) >= options.stop.elements ||
-           unshot_share() <= options.stop.unshot;
+    return counters.shots >= options.stop.shots || is_full() || unshot_share() <= options.stop.unshot;
 }
 
 bool RadiositySolver::State::step() {
@@ -131,7 +129,6 @@ void RadiositySolver::State::bring(const Shot& shot) {
         batches = refine_put_aside(batches);
     }
 
-    flux_given += std::fabs(given);
     const double closure = given / taken;
     closure_sum += closure;
     flux_taken += std::fabs(taken);
@@ -146,16 +143,19 @@ void RadiositySolver::State::bring(const Shot& shot) {
     }
 }
 
+/// Step 1: totally occluded, by the buffer or by a sheet in its plane: no shot.
+bool RadiositySolver::State::is_skipped(const Cell& cell) const {
+    return cell.cover.kind == Cover::Kind::wholly ||
+           (uses_buffer() && options.buffer.skip_occluded && cell.buffer.state() == BufferState::occluded);
+}
+
 /// Steps 1 and 2 of the paper's section 5, as far as they need no new buffer.
 void RadiositySolver::State::decide(const Shot& shot, Batch& batch) const {
     TransportScratch scratch;
     for (Work& work : batch.work) {
         work.action = Work::Action::skip;
         const Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
-        // Step 1: totally occluded, by the buffer or by a sheet in its plane: no shot.
-        const bool occluded =
-            uses_buffer() && options.buffer.skip_occluded && cell.buffer.state() == BufferState::occluded;
-        if (occluded || cell.cover.kind == Cover::Kind::wholly) {
+        if (is_skipped(cell)) {
             ++batch.counters.skipped_occluded;
             continue;
         }
@@ -163,10 +163,9 @@ void RadiositySolver::State::decide(const Shot& shot, Batch& batch) const {
         if (work.form_factor == 0 && options.receiving_points == 1) continue;
         // Step 2: a weak interaction, or an element that is small enough: shoot.
         work.action = Work::Action::shoot;
-        if (!uses_buffer() || is_full() ||
+        if (!uses_buffer() || is_full() || is_deepest(work.leaf) ||
             cell.longest_side <= std::scalbn(options.buffer.minimum_edge, -mesh->exponent()))
             continue;
-        if (mesh->node(work.leaf).element.level_i >= 29 || mesh->node(work.leaf).element.level_j >= 29) continue;
         if (!is_strong(shot, work)) continue;
         // Step 3: the buffer decides.
         work.action = Work::Action::ask_buffer;
@@ -300,8 +299,7 @@ void RadiositySolver::State::shoot(const Shot& shot, Batch& batch) {
         if (work.action == Work::Action::put_aside) continue;
         Cell& cell = cells[static_cast<std::size_t>(work.leaf)];
         if (work.action == Work::Action::skip) {
-            const bool away = work.form_factor == 0 && cell.cover.kind != Cover::Kind::wholly &&
-                              !(uses_buffer() && cell.buffer.state() == BufferState::occluded);
+            const bool away = work.form_factor == 0 && !is_skipped(cell);
             if (options.refinement != Refinement::none)
                 set_sight(cell.sights, number, away ? Sight::away : Sight::none);
             continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 namespace cob::radiosity {
 namespace {
@@ -281,7 +282,7 @@ NodeId Mesh::leaf_at(RootId id, double u, double v) const {
     NodeId found = first + patch_index(root, node(first).element, p, q);
     // The order of patches() is a matter of speed only.
     for (NodeId k = first; found >= last || !holds(node(found).element); ++k) {
-        if (k == last) return first;
+        if (k == last) throw std::logic_error("no patch of the root holds a point of it");
         found = k;
     }
     while (!node(found).is_leaf()) {
@@ -291,11 +292,6 @@ NodeId Mesh::leaf_at(RootId id, double u, double v) const {
         found = children + child;
     }
     return found;
-}
-
-std::size_t Mesh::memory() const {
-    return nodes_.capacity() * sizeof(Node) + vertices_.capacity() * sizeof(MeshVertex) +
-           vertex_of_.size() * (sizeof(Key) + sizeof(MeshVertexId) + 16) + sides_.size() * 32;
 }
 
 }  // namespace cob::radiosity

@@ -68,7 +68,6 @@ public:
     double area(NodeId id) const;          ///< In square units.
     /// The leaf of a root at bilinear (or, of a triangle, barycentric) coordinates (u, v) in [0, 1].
     NodeId leaf_at(RootId root, double u, double v) const;
-    std::size_t memory() const;
 
 private:
     /// A point of a polygon's lattice: inside its root, or on a side between two vertices of the scene, so that roots

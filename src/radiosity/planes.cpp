@@ -14,6 +14,7 @@ namespace {
 /// of rounding, which each factor feels.
 constexpr double relative_error = 2e-15;
 constexpr double coordinate_error = 0x1p-50;
+constexpr double underflow = 1e-300;  ///< Far above what products of so few factors lose to it.
 /// Far above what coordinates are off by, far below what matters.
 constexpr double bounds_slack = 0x1p-48;
 
@@ -64,8 +65,10 @@ Planes::Planes(const Scene& scene, int exponent) : scene_(scene) {
             }
         }
         const Point u = corners[best] - corners[0], v = corners[best + 1] - corners[0], n = cross(u, v);
-        planes_.push_back(
-            {corners[0], n, relative_error * length1(u) * length1(v), {loop[0], loop[best], loop[best + 1]}});
+        planes_.push_back({corners[0],
+                           n,
+                           relative_error * length1(u) * length1(v) + underflow,
+                           {loop[0], loop[best], loop[best + 1]}});
         const double length = std::hypot(n.x, n.y, n.z);
         normals_.push_back(length > 0 ? (1 / length) * n : Point{});
         corners_.push_back(std::move(corners));
@@ -125,9 +128,9 @@ Crossing Planes::crossing(PieceId id, const Point& from, std::optional<Sign> sid
     for (const Point& corner : loop) {
         const Point b = corner - from;
         const double length_b = length1(b), product = length_a * length_b;
-        const std::optional<Sign> turn =
-            certain(dot(d, cross(a, b)), relative_error * length * product +
-                                             2 * coordinate_error * (length * (length_a + length_b) + product));
+        const std::optional<Sign> turn = certain(
+            dot(d, cross(a, b)), relative_error * length * product +
+                                     2 * coordinate_error * (length * (length_a + length_b) + product) + underflow);
         if (!turn)
             unsure = true;
         else

@@ -6,7 +6,6 @@
 #include "geometry/convex_polygon.hpp"
 
 #include <array>
-#include <vector>
 
 namespace cob::radiosity {
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 namespace cob::radiosity {
@@ -262,7 +261,6 @@ QuadratureResult Cubature::run(const std::vector<std::vector<Point2D>>& regions)
         result.visible.error += cell.visible.error;
     }
     result.evaluations = evaluations_;
-    result.cells = cells_.size();
     return result;
 }
 

@@ -6,7 +6,6 @@
 #include "radiosity/contour.hpp"
 #include "radiosity/shadow_lines.hpp"
 
-#include <array>
 #include <functional>
 
 namespace cob::radiosity {
@@ -43,7 +42,6 @@ struct QuadratureOptions {
 struct QuadratureResult {
     Integral visible;  ///< The error bounds what the rules differ by, doubled.
     std::uint64_t evaluations = 0;
-    std::uint64_t cells = 0;
 };
 
 /// Integrates the visible form factor over convex regions of the receiver's plane.

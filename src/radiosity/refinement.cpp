@@ -15,6 +15,11 @@ bool RadiositySolver::State::is_full() const {
     return static_cast<std::int64_t>(mesh->leaf_count()) >= options.stop.elements;
 }
 
+bool RadiositySolver::State::is_deepest(NodeId leaf) const {
+    const Element& element = mesh->node(leaf).element;
+    return std::max(element.level_i, element.level_j) >= 29;
+}
+
 std::vector<NodeId> RadiositySolver::State::split(const std::vector<NodeId>& leaves_to_split) {
     std::vector<NodeId> parents;
     for (const NodeId leaf : leaves_to_split)
@@ -100,9 +105,7 @@ void RadiositySolver::State::refine_by_gradient() {
             for (const NodeId leaf : of_patch) {
                 const Cell& cell = cells[static_cast<std::size_t>(leaf)];
                 if (cell.cover.kind == Cover::Kind::wholly || cell.buffer.state() == BufferState::occluded) continue;
-                if (cell.longest_side <= shortest || mesh->node(leaf).element.level_i >= 29 ||
-                    mesh->node(leaf).element.level_j >= 29)
-                    continue;
+                if (cell.longest_side <= shortest || is_deepest(leaf)) continue;
                 // The difference of exitance between corners against its mean, channel by channel.
                 const Node& node = mesh->node(leaf);
                 bool steep = false;

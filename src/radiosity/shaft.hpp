@@ -20,7 +20,6 @@ class Shaft {
 public:
     Shaft(const Bounds& a, const Bounds& b);
 
-    const Bounds& bounds() const { return both_; }
     /// False only where the convex hull of the corners certainly misses the hull of both boxes.
     bool may_meet(const Bounds& bounds, const std::vector<Point>& corners) const;
     /// The same of a box.

@@ -100,7 +100,6 @@ Sheets::Sheets(const Scene& scene, const CandidateSource& candidates)
         if (!scene.polygon(polygon).valid) continue;
         for (const PolygonId top : sheets_on_top(scene, polygon, candidates))
             if (overlap(scene, polygon, top)) above_[static_cast<std::size_t>(polygon)].push_back(top);
-        any_ = any_ || !above_[static_cast<std::size_t>(polygon)].empty();
     }
 }
 

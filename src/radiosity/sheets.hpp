@@ -23,7 +23,6 @@ public:
     Sheets(const Scene& scene, const CandidateSource& candidates);
 
     /// Some two polygons overlap so.
-    bool any() const { return any_; }
     /// The polygons that lie on top of one, where they overlap it.
     const std::vector<PolygonId>& above(PolygonId polygon) const { return above_[static_cast<std::size_t>(polygon)]; }
     Cover cover(const Root& root, const Element& element) const;
@@ -33,7 +32,6 @@ public:
 private:
     const Scene& scene_;
     std::vector<std::vector<PolygonId>> above_;
-    bool any_ = false;
 };
 
 }  // namespace cob::radiosity

@@ -66,6 +66,9 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
             emitted_flux[c] += unshot_flux[p][c];
         }
     }
+    if (sum(emitted_flux) == 0)
+        throw InputError("every light lies wholly under sheets in its plane: everything stays black",
+                         {scene.name(), 0, "", "uncover a light, or turn it round"});
 }
 
 RadiosityOptions RadiositySolver::State::checked(const Scene& scene, RadiosityOptions options) {
@@ -176,7 +179,7 @@ EnergyBooks RadiositySolver::State::books() const {
     books.closure_flux = flux_taken > 0 ? flux_arrived / flux_taken : 0;
     books.closure_least_patch = closure_least_patch;
     books.closure_most_patch = closure_most_patch;
-    books.moved = flux_given > 0 ? flux_moved / flux_given : 0;
+    books.moved = flux_arrived > 0 ? flux_moved / flux_arrived : 0;
     return books;
 }
 

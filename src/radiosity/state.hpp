@@ -77,9 +77,9 @@ public:
     std::vector<radiosity::Shot> shots;
     std::vector<radiosity::NodeId> splits;  ///< In order: the mesh's history.
     Rgb emitted_flux{};
-    double flux_given = 0, flux_moved = 0;  ///< Sums over channels of what elements received, and of corrections.
-    double closure_sum = 0, closure_least = 0, closure_most = 0;
     double flux_taken = 0, flux_arrived = 0;  ///< Sums over shots of what left the shooter, and of what arrived.
+    double flux_moved = 0;                    ///< Sum over channels of corrections.
+    double closure_sum = 0, closure_least = 0, closure_most = 0;
     radiosity::NodeId closure_least_patch = -1, closure_most_patch = -1;
     RadiosityCounters counters;
     RadiosityTimes times;
@@ -113,6 +113,7 @@ private:
     Rgb flux_to_shoot(radiosity::NodeId patch, const Rgb& foreseen) const;  ///< Unshot and foreseen, W in units.
     radiosity::Shot take_shot(radiosity::NodeId patch);
     void bring(const radiosity::Shot& shot);
+    bool is_skipped(const Cell& cell) const;
     void decide(const radiosity::Shot& shot, Batch& batch) const;
     bool is_strong(const radiosity::Shot& shot, const Work& work) const;
     void build_buffers(std::vector<Batch>& batches);
@@ -130,6 +131,8 @@ private:
     void take_over(const std::vector<radiosity::NodeId>& parents, const std::vector<std::size_t>& shot_counts);
     void take_over(radiosity::NodeId parent, std::size_t shot_count, radiosity::TransportScratch& scratch);
     bool is_full() const;
+    /// Refined no further: the mesh's lattice (Element, level 31) must have room for neighbours and middles of sides.
+    bool is_deepest(radiosity::NodeId leaf) const;
     void refresh_leaves(const std::vector<radiosity::NodeId>& parents);
     void count(const radiosity::TransportScratch& scratch, RadiosityCounters& into) const;
     void count(const BufferStatistics& statistics);

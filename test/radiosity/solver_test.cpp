@@ -193,6 +193,37 @@ TEST(Buffer, OccludedElementsAreSkippedAndCounted) {
     EXPECT_GT(run.counters().buffers[static_cast<std::size_t>(cob::BufferState::occluded)], 0);
 }
 
+TEST(Buffer, ChildrenOfAnOccludedElementThatIsShotAtTakeOverWhatItsCentreFacedAwayFrom) {
+    // A sheet shuts in the patch [0, 0.5]^2 of a floor, but light comes in under it, from aside.
+    scenes::Builder b;
+    b.add({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {0.5, 0.5, 0.5});
+    b.add({{-0.1, -0.1, 0.05}, {-0.1, 0.6, 0.05}, {0.6, 0.6, 0.05}, {0.6, -0.1, 0.05}}, {0, 0, 0});
+    // 1. A lamp over the patch, strong only there: its buffer is built. 2. One whose plane leaves the patch's centre
+    // behind it, but not all of its children's. 3. One that has the patch beside it refined so far that it is, too.
+    b.add({{0, 0.2, 0.5}, {0, 0.3, 0.5}, {0.1, 0.3, 0.5}, {0.1, 0.2, 0.5}}, {0, 0, 0}, {10000, 10000, 10000});
+    b.add({{0.3, -1, 0.01}, {0.3, -0.3, 0.01}, {0.3, -0.3, 0.04}, {0.3, -1, 0.04}}, {0, 0, 0}, {4500, 4500, 4500});
+    b.add({{0.575, 0.075, 0.3}, {0.575, 0.175, 0.3}, {0.675, 0.175, 0.3}, {0.675, 0.075, 0.3}}, {0, 0, 0},
+          {9000, 9000, 9000});
+    const cob::Scene scene = b.scene();
+    RadiosityOptions coarse = options(Refinement::buffer, 0.5, 3), fine = options(Refinement::none, 0.25, 3);
+    coarse.light_edge = fine.light_edge = 10;
+    coarse.buffer.skip_occluded = false;
+    coarse.buffer.strength = cob::Strength::flux;
+    coarse.buffer.threshold = 0.06;
+    coarse.buffer.minimum_edge = 0.125;
+    RadiositySolver with(scene, coarse), without(scene, fine);
+    solve(with);
+    solve(without);
+    EXPECT_GT(with.counters().refined_for_balance, 0);
+    const auto at = [](const RadiositySolver& solver) {
+        const auto leaf = solver.mesh().leaf_at(0, 0.375 / 2, 0.125 / 2);
+        EXPECT_DOUBLE_EQ(solver.mesh().longest_side(leaf), solver.mesh().in_units({0.25, 0, 0}).x);
+        return solver.exitance(leaf)[0];
+    };
+    EXPECT_GT(at(without), 0);
+    EXPECT_DOUBLE_EQ(at(with), at(without));
+}
+
 TEST(Mesh, NeighboursDifferByOneLevelAtMost) {
     const cob::Scene scene = scenes::plate_over_table();
     RadiosityOptions o = options(Refinement::both, 0.5, 3);
@@ -293,12 +324,18 @@ TEST(Checkpoint, RefusesOtherScenesOtherOptionsAndDamage) {
 // ------------------------------------------------------------------------------------------------ odd scenes
 
 TEST(OddScenes, NoLightAndFullReflectanceAreRefusedWithAReason) {
-    scenes::Builder dark, mirror;
+    scenes::Builder dark, mirror, covered;
     dark.add({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.5, 0.5, 0.5});
     mirror.add({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.5, 1.0, 0.5}, {1, 1, 1});
-    const cob::Scene a = dark.scene(), b = mirror.scene();
+    // A lamp that two black sheets exactly on it hide (SPEC 8, choice 9).
+    covered.add({{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}, {0, 0, 0}, {1, 1, 1});
+    covered.add({{0, 0, 1}, {0, 1, 1}, {0.5, 1, 1}, {0.5, 0, 1}}, {0, 0, 0});
+    covered.add({{0.5, 0, 1}, {0.5, 1, 1}, {1, 1, 1}, {1, 0, 1}}, {0, 0, 0});
+    covered.add({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0.5, 0.5, 0.5});
+    const cob::Scene a = dark.scene(), b = mirror.scene(), c = covered.scene();
     EXPECT_THROW(RadiositySolver(a, {}), cob::InputError);
     EXPECT_THROW(RadiositySolver(b, {}), cob::InputError);
+    EXPECT_THROW(RadiositySolver(c, {}), cob::InputError);
 }
 
 TEST(OddScenes, OneTriangleAndOnlyLights) {

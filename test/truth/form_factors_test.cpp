@@ -341,6 +341,27 @@ TEST(FormFactors, NarrowPenumbraeAreNotMissed) {
 }
 
 // An L-shaped room: closed, not convex, and its rows sum to 1; both sides computed on their own agree.
+// A folded polygon that sees itself is one pair: both sides of it are the same integral.
+TEST(FormFactors, OfItselfIsIntegratedOnce) {
+    const Scene scene = RoomBuilder()
+                            .polygon({{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {-1, 0, 1}})
+                            .polygon({{0, 0.1, 0.3}, {0, 0.4, 0.3}, {0, 0.4, 0.5}})  // in the fold
+                            .build();
+    const EveryPolygon everything(scene);
+    std::array<FormFactorResult, 2> results;
+    for (const bool both : {false, true}) {
+        FormFactorOptions options;
+        options.both_sides = both;
+        FormFactorMatrix matrix(scene, everything, options);
+        matrix.plan({{0, 0}});
+        results[both] = matrix.compute();
+    }
+    ASSERT_EQ(results[0].values.size(), 1u);
+    EXPECT_GT(results[0].evaluations, 0u);
+    EXPECT_EQ(results[1].evaluations, results[0].evaluations);
+    EXPECT_EQ(results[1].values[0].value, results[0].values[0].value);
+}
+
 TEST(FormFactors, RowsOfAnObstructedRoomSumToOne) {
     const auto wall = [](double x0, double y0, double x1, double y1) {
         return std::vector<Point>{{x0, y0, 0}, {x0, y0, 1}, {x1, y1, 1}, {x1, y1, 0}};
