@@ -1,5 +1,5 @@
 /// \file
-/// Runs the built program, as a user would.
+/// Runs the built program, as a user would, and looks at what it wrote.
 #pragma once
 
 #include "cob/files.hpp"
@@ -7,6 +7,8 @@
 
 #include <sys/wait.h>
 #include <cstdlib>
+#include <filesystem>
+#include <set>
 #include <string>
 
 namespace cob::test {
@@ -16,16 +18,29 @@ struct ProgramResult {
     std::string out, error;
 };
 
-/// arguments as one would type them in a shell.
-inline ProgramResult run_program(const std::string& arguments) {
+/// A command as one would type it in a shell.
+inline ProgramResult run_shell(const std::string& command) {
     const TemporaryFolder folder;
     const std::string out = folder / "out", error = folder / "error";
-    const int status = std::system((COB_PROGRAM " " + arguments + " >" + out + " 2>" + error).c_str());
+    const int status = std::system(("(" + command + ") >" + out + " 2>" + error).c_str());
     ProgramResult result;
     result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     result.out = read_file(out);
     result.error = read_file(error);
     return result;
+}
+
+/// The program with these arguments, again as in a shell.
+inline ProgramResult run_program(const std::string& arguments) {
+    return run_shell(COB_PROGRAM " " + arguments);
+}
+
+/// Names in a folder; none where there is no folder.
+inline std::set<std::string> files_in(const std::string& folder) {
+    std::set<std::string> names;
+    if (std::filesystem::exists(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+    return names;
 }
 
 }  // namespace cob::test

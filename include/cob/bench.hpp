@@ -2,6 +2,7 @@
 /// Error against run time: our own formula in several arithmetics, and other people's code, on a golden set.
 #pragma once
 
+#include "cob/progress.hpp"
 #include "cob/visibility.hpp"
 
 #include <cstdint>
@@ -13,6 +14,7 @@ namespace cob {
 struct BenchOptions {
     int repetitions = 5;               ///< Runs over all questions of a kind; each gives one time.
     std::uint64_t most_of_kind = 500;  ///< Questions of each kind that are asked: the first ones.
+    Progress progress;                 ///< Called for each kind that a variant is asked: so many of this set.
 };
 
 /// One variant on one kind of question.

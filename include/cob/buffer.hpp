@@ -23,6 +23,7 @@ enum class BufferMode : std::uint8_t {
     strict,   ///< A hint: they are tested from the scene.
     inherit,  ///< The paper's: they are occluded, too, without a test.
 };
+const char* to_text(BufferMode mode);
 
 /// From which buffers an element's buffer is built (the paper's section 7).
 enum class BufferLevels : std::uint8_t {
@@ -33,6 +34,8 @@ enum class BufferLevels : std::uint8_t {
     /// lies between the patch and it, of which the box has few polygons around; none such: from the whole scene.
     automatic,
 };
+/// "element", "polygon", "tree", "auto".
+const char* to_text(BufferLevels levels);
 
 /// The buffer of one element: a state and the place of its list. Before it is built, uninitialised.
 class CloseObjectBuffer {

@@ -30,12 +30,14 @@ using Rgb = std::array<double, 3>;
 
 /// Which refinement is on.
 enum class Refinement : std::uint8_t { none, gradient, buffer, both };
+const char* to_text(Refinement refinement);
 /// Strength of an interaction (SPEC 8, choice 7).
 enum class Strength : std::uint8_t {
     exitance,  ///< Unobstructed dM_i, summed over channels, as a share of M_i.
     flux,      ///< Unobstructed A_i dM_i, summed over channels, as a share of the shooter's flux A_j dM_j.
     paper,     ///< Equation (1) as printed: reflectance times the form factor from centre to centre.
 };
+const char* to_text(Strength strength);
 
 struct RadiosityOptions {
     Refinement refinement = Refinement::both;

@@ -76,7 +76,8 @@ struct StudySettings {
     /// Names the settings; fit for a file name.
     std::string key() const;
 };
-const char* to_text(Refinement refinement);
+/// "uniform" for Refinement::none, else its name.
+const char* name_in_study(Refinement refinement);
 
 /// Uniform, gradient, buffer and both over budgets that halve the smallest edge (those that refine once more often than
 /// uniform); then the gradient's threshold, the receiving points, the initial mesh, the height and the margin. Lights

@@ -1,10 +1,30 @@
 #include "cob/classification.hpp"
 
+#include "cob/buffer.hpp"
+
 #include <algorithm>
 #include <array>
 #include <limits>
 
 namespace cob {
+
+const char* to_text(BufferMode mode) {
+    return mode == BufferMode::strict ? "strict" : "inherit";
+}
+
+const char* to_text(BufferLevels levels) {
+    switch (levels) {
+        case BufferLevels::element:
+            return "element";
+        case BufferLevels::polygon:
+            return "polygon";
+        case BufferLevels::tree:
+            return "tree";
+        case BufferLevels::automatic:
+            return "auto";
+    }
+    return "";
+}
 
 const char* to_text(BufferState state) {
     switch (state) {

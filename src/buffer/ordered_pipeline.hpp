@@ -3,21 +3,14 @@
 /// memory bounded by the blocks under way.
 #pragma once
 
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
+#include "arithmetic/threads.hpp"
 
-#include <algorithm>
+#include <tbb/parallel_pipeline.h>
+
 #include <exception>
 #include <memory>
-#include <thread>
 
 namespace cob {
-
-/// The number of threads that the user's option means: 0 is one for each processor, and more than these bring nothing.
-inline int thread_count(int option) {
-    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return option > 0 ? std::min(option, processors) : processors;
-}
 
 /// produce(block) fills the next block, false at the end, in order; work(block) runs on any thread; consume(block)
 /// again in order. Of several exceptions the one of the earliest block leaves.

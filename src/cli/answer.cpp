@@ -52,7 +52,7 @@ struct AnswerCommand {
             options.peer = peer->second;
         else
             options.arithmetic = arithmetics().at(arithmetic);
-        options.source = source.source();
+        options.source = source();
         options.progress = terminal_progress("answering");
         const AnswerSummary summary = answer_set(set, folder, options);
         const auto whole = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };

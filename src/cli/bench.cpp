@@ -1,6 +1,7 @@
 #include "cob/bench.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/terminal.hpp"
 #include "cob/files.hpp"
 #include "report/bench_report.hpp"
 #include "report/disagreement_report.hpp"
@@ -37,7 +38,8 @@ void show_disagreements(const std::string& set, const BenchOptions& options, con
         draw(report::disagreement_plot(scene, worst), base + worst.kind, "where Embree is wrong most plainly");
 }
 
-void run(const Arguments& arguments) {
+void run(Arguments& arguments) {
+    arguments.options.progress = terminal_progress("bench");
     const OutputFolder created(arguments.folder);
     const std::vector<BenchRow> rows = bench_sets(arguments.sets, arguments.options);
     const BenchMachine machine = bench_machine();

@@ -20,7 +20,11 @@ struct ClassifyCommand {
     MeshingOptions meshing;
     SourceOption source;
     KeepOptions keep;
-    std::string levels = "auto", mode = "strict", folder;
+    Choice<BufferLevels> levels{
+        BufferLevels::automatic,
+        {BufferLevels::automatic, BufferLevels::element, BufferLevels::polygon, BufferLevels::tree}};
+    Choice<BufferMode> mode{BufferMode::strict, {BufferMode::strict, BufferMode::inherit}};
+    std::string folder;
     int threads = 0;
     bool truth = false;
     std::uint64_t truth_pairs = TruthOptions{}.max_pairs;
@@ -29,17 +33,13 @@ struct ClassifyCommand {
     void add_to(CLI::App& command) {
         scene.add_to(command);
         meshing.add_to(command);
-        command
-            .add_option("--buffer", levels,
-                        "Buffers that an element's buffer is built from: none (element), that of its whole "
-                        "polygon's piece (polygon), every level of the quadtree (tree), or the outermost that has few "
-                        "polygons around, if any (auto; with --mode inherit as polygon)")
-            ->check(CLI::IsMember({"auto", "element", "polygon", "tree"}));
-        command
-            .add_option("--mode", mode,
-                        "Under an occluded buffer: test from the scene (strict), or the paper's: occluded, too "
-                        "(inherit), and the difference is reported")
-            ->check(CLI::IsMember({"strict", "inherit"}));
+        levels.add_to(command, "--buffer",
+                      "Buffers that an element's buffer is built from: none (element), that of its whole polygon's "
+                      "piece (polygon), every level of the quadtree (tree), or the outermost that has few polygons "
+                      "around, if any (auto; with --mode inherit as polygon)");
+        mode.add_to(command, "--mode",
+                    "Under an occluded buffer: test from the scene (strict), or the paper's: occluded, too (inherit), "
+                    "and the difference is reported");
         source.add_to(command);
         keep.add_to(command);
         add_threads(command, threads);
@@ -59,12 +59,9 @@ struct ClassifyCommand {
     void run() const {
         // Options.
         ClassifySceneOptions options;
-        options.classify.levels = levels == "tree"      ? BufferLevels::tree
-                                  : levels == "polygon" ? BufferLevels::polygon
-                                  : levels == "element" ? BufferLevels::element
-                                                        : BufferLevels::automatic;
-        options.classify.buffer.mode = mode == "inherit" ? BufferMode::inherit : BufferMode::strict;
-        meshing.set(options.classify.buffer);
+        options.classify.levels = levels();
+        options.classify.buffer.mode = mode();
+        meshing.box.set(options.classify.buffer);
         const Meshing cut = meshing.meshing();
         options.threads = threads;
         options.boxes = !states_only && !no_boxes;
@@ -82,10 +79,11 @@ struct ClassifyCommand {
         const Omissions omissions(read_scene, roots,
                                   {keep.set(), options.classify.buffer.margin, options.classify.buffer.height});
         omissions.apply_to(options.classify.buffer);
-        if (levels == "auto" && !omissions(Omission::levels)) options.classify.levels = BufferLevels::polygon;
+        if (levels() == BufferLevels::automatic && !omissions(Omission::levels))
+            options.classify.levels = BufferLevels::polygon;
         options.classify.apart = omissions(Omission::buffers);
         summary.mesh_seconds = watch.lap();
-        const auto candidates = make_candidates(read_scene, omissions(Omission::tree) ? Source::all : source.source());
+        const auto candidates = make_candidates(read_scene, omissions(Omission::tree) ? Source::all : source());
         summary.tree_seconds = watch.lap();
 
         // Buffers.
@@ -111,11 +109,11 @@ struct ClassifyCommand {
         summary.parameters = {{"scene", scene.path},
                               {"level", std::to_string(meshing.level)},
                               {"edge", meshing.edge},
-                              {"margin", meshing.margin},
-                              {"height", meshing.height},
-                              {"buffer", levels},
-                              {"mode", mode},
-                              {"source", source.name},
+                              {"margin", meshing.box.margin},
+                              {"height", meshing.box.height},
+                              {"buffer", levels.name()},
+                              {"mode", mode.name()},
+                              {"source", source.name()},
                               {"threads", std::to_string(threads)}};
         summary.omissions = omissions;
         summary.polygons = static_cast<std::uint64_t>(read_scene.polygon_count());

@@ -38,7 +38,7 @@ struct ExplainCommand {
 
     void run() const {
         BufferOptions buffer;
-        meshing.set(buffer);
+        meshing.box.set(buffer);
         const Meshing cut = meshing.meshing();
         const Scene read_scene = scene.read();
         const Roots roots(read_scene);

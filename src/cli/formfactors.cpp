@@ -49,7 +49,7 @@ void run(const Arguments& arguments) {
     if (!(arguments.options.tolerance > 0))
         throw InputError("bad --tolerance", {"", 0, to_text(arguments.options.tolerance), "give a number above 0"});
     const Scene scene = arguments.scene.read();
-    const auto candidates = make_candidates(scene, arguments.source.source());
+    const auto candidates = make_candidates(scene, arguments.source());
 
     FormFactorMatrix matrix(scene, *candidates, arguments.options);
     say_plan(matrix.plan(pairs, terminal_progress("shafts")));

@@ -1,8 +1,9 @@
 #include "cob/golden.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/number_checks.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
-#include "cli/whole_number.hpp"
 #include "cob/error.hpp"
 
 #include <charconv>
@@ -68,44 +69,34 @@ void add_golden(CLI::App& app) {
     command->add_option("scene", arguments->scene, "Scene (OBJ with MTL)")->required();
     command->add_option("-o,--output", arguments->folder, "Folder of the set; created, or gone on with")->required();
 
-    command->add_option("--level", p.level, "Boxes: refinements of every element")->group("Questions");
-    command->add_option("--edge", p.edge, "Boxes: cut polygons into patches of this side first")->group("Questions");
-    command->add_flag("--no-boxes", arguments->no_boxes, "No boxes over elements")->group("Questions");
-    command->add_option("--margin", p.margin, "Boxes: widened by this fraction on each side")->group("Questions");
-    command->add_option("--height", p.height, "Boxes: height as a fraction of the shorter side")->group("Questions");
+    command->option_defaults()->group("Questions");
+    command->add_option("--level", p.level, "Boxes: refinements of every element");
+    command->add_option("--edge", p.edge, "Boxes: cut polygons into patches of this side first");
+    command->add_flag("--no-boxes", arguments->no_boxes, "No boxes over elements");
+    command->add_option("--margin", p.margin, "Boxes: widened by this fraction on each side");
+    command->add_option("--height", p.height, "Boxes: height as a fraction of the shorter side");
     command->add_option("--segments", p.segments, "Segments between sample points of elements and lights")
-        ->check(whole_number())
-        ->group("Questions");
+        ->check(whole_number());
     command->add_option("--hard", p.hard, "So many boxes and so many segments aimed at the degenerate")
-        ->check(whole_number())
-        ->group("Questions");
-    command->add_option("--kinds", arguments->kinds, "Kinds of the hard questions, separated by commas; none: all")
-        ->group("Questions");
-    command->add_option("--seed", p.seed, "Of sample points and hard questions")
-        ->check(whole_number())
-        ->group("Questions");
+        ->check(whole_number());
+    command->add_option("--kinds", arguments->kinds, "Kinds of the hard questions, separated by commas; none: all");
+    command->add_option("--seed", p.seed, "Of sample points and hard questions")->check(whole_number());
     command->add_option("--grid", p.grid, "Snap the scene to multiples of 2^-K: all numbers are binary64")
-        ->type_name("K")
-        ->group("Questions");
-    command
-        ->add_flag("--float", p.binary32,
-                   "Snap the scene (to --grid, or as finely as possible): all numbers are binary32")
-        ->group("Questions");
-    command
-        ->add_flag("--skip-invalid", p.skip_invalid,
-                   "Go on without polygons that cannot be used; they keep their numbers")
-        ->group("Questions");
+        ->type_name("K");
+    command->add_flag("--float", p.binary32,
+                      "Snap the scene (to --grid, or as finely as possible): all numbers are binary32");
+    command->add_flag("--skip-invalid", p.skip_invalid,
+                      "Go on without polygons that cannot be used; they keep their numbers");
 
+    command->option_defaults()->group("Work");
     command->add_option("--shard", arguments->shard, "Make every n-th shard only, the i-th of them; i from 1 (0 is n)")
-        ->type_name("i/n")
-        ->group("Work");
-    command->add_option("--merge", o.merge, "Take over the finished shards of these folders")->group("Work");
+        ->type_name("i/n");
+    command->add_option("--merge", o.merge, "Take over the finished shards of these folders");
     command
         ->add_option("--shard-size", o.shard_size,
                      "Questions in memory at once; the next shard is made while one is written")
-        ->check(whole_number())
-        ->group("Work");
-    command->add_option("--threads", o.threads, "Threads; 0: all")->check(CLI::Range(0, 1024))->group("Work");
+        ->check(whole_number());
+    add_threads(*command, o.threads);
     command->footer("The same command gives the same bytes, whatever the options under Work. After a kill, repeat it.");
     command->callback([arguments] { run(*arguments); });
 }

@@ -3,8 +3,7 @@
 #include "cli/options.hpp"
 #include "cob/files.hpp"
 #include "report/census_report.hpp"
-
-#include <nlohmann/json.hpp>
+#include "scene/json_text.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -26,11 +25,7 @@ void run_info(const InfoArguments& arguments) {
     const std::vector<PolygonId> decimal = planar_as_decimal(scene, path);
     const Omissions omissions(scene, Roots(scene), {});
     const SceneInfo info{scene, read, census, decimal, omissions};
-    if (!arguments.json.empty()) {
-        // Names in files may be in any encoding; JSON is UTF-8.
-        constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-        write_file(arguments.json, info_json(info).dump(2, ' ', false, replace) + "\n");
-    }
+    if (!arguments.json.empty()) write_file(arguments.json, json_text(info_json(info)));
     std::fputs(info_text(info).c_str(), stdout);
 }
 

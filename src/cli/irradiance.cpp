@@ -19,7 +19,7 @@ struct Arguments {
 
 void run(const Arguments& arguments) {
     const Scene scene = arguments.scene.read();
-    const auto candidates = make_candidates(scene, arguments.source.source());
+    const auto candidates = make_candidates(scene, arguments.source());
     IrradianceTableOptions options;
     options.threads = arguments.threads;
     options.progress = terminal_progress("irradiance");

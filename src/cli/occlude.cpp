@@ -1,11 +1,11 @@
 // cob occlude: one segment, explained.
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cob/candidates.hpp"
 #include "cob/error.hpp"
 #include "cob/visibility.hpp"
 #include "report/segment_report.hpp"
 
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -15,9 +15,8 @@ namespace cob::cli {
 namespace {
 
 struct OccludeArguments {
-    std::string scene;
+    SceneOptions scene;
     std::vector<std::string> coordinates;
-    bool skip_invalid = false;
 };
 
 ExactPoint exact_point(const std::vector<std::string>& texts, std::size_t first) {
@@ -33,7 +32,7 @@ ExactPoint exact_point(const std::vector<std::string>& texts, std::size_t first)
 
 void run_occlude(const OccludeArguments& arguments) {
     const Segment segment{exact_point(arguments.coordinates, 0), exact_point(arguments.coordinates, 3)};
-    const Scene scene = read_obj(arguments.scene, {arguments.skip_invalid, false}, nullptr);
+    const Scene scene = arguments.scene.read();
     // One question is answered sooner than a tree is built.
     const auto candidates = make_candidates(scene, Source::all);
     const VisibilityOracle oracle(scene, *candidates);
@@ -48,13 +47,12 @@ void add_occlude(CLI::App& app) {
     const auto arguments = std::make_shared<OccludeArguments>();
     CLI::App* command = app.add_subcommand(
         "occlude", "What the open segment between two points meets, in order, and why it is clear, grazing or blocked");
-    command->add_option("SCENE", arguments->scene, "OBJ file")->required();
+    arguments->scene.add_to(*command);
     command
         ->add_option("COORDINATES", arguments->coordinates,
                      "X0 Y0 Z0 X1 Y1 Z1, each a decimal, a C hex-float or a fraction p/q, taken exactly")
         ->expected(6)
         ->required();
-    command->add_flag("--skip-invalid", arguments->skip_invalid, "Leave invalid polygons out instead of refusing them");
     command->callback([arguments] { run_occlude(*arguments); });
 }
 

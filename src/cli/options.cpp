@@ -14,8 +14,13 @@ Rational exact_option(const char* option, const std::string& text, bool positive
     return *value;
 }
 
-void SceneOptions::add_to(CLI::App& command) {
-    command.add_option("SCENE", path, "OBJ file of the scene")->required()->capture_default_str();
+CLI::Option* SceneOptions::add_to(CLI::App& command) {
+    CLI::Option* scene = command.add_option("SCENE", path, "OBJ file of the scene")->required()->capture_default_str();
+    add_skip_invalid_to(command);
+    return scene;
+}
+
+void SceneOptions::add_skip_invalid_to(CLI::App& command) {
     command.add_flag("--skip-invalid", skip_invalid,
                      "Go on where polygons are refused: they are listed, keep their numbers and occur in no answer");
 }
@@ -45,12 +50,16 @@ TablePath::TablePath(const std::string& out, const std::string& name) : path_(ou
     path_ = out + "/" + name;
 }
 
+void BoxOptions::add_to(CLI::App& command) {
+    command.add_option("--margin", margin, "Widening of the box on each side, as a fraction of the element's extent");
+    command.add_option("--height", height, "Height of the box, as a fraction of its shorter widened extent");
+}
+
 void MeshingOptions::add_to(CLI::App& command) {
     command.add_option("--level", level, "Refinements below the patches; each makes 4 elements of one")
         ->check(CLI::Range(0, 20));
     command.add_option("--edge", edge, "Longest side of a patch, in the scene's unit; 0: every piece is one patch");
-    command.add_option("--margin", margin, "Widening of the box on each side, as a fraction of the element's extent");
-    command.add_option("--height", height, "Height of the box, as a fraction of its shorter widened extent");
+    box.add_to(command);
 }
 
 Meshing MeshingOptions::meshing() const {
@@ -59,22 +68,9 @@ Meshing MeshingOptions::meshing() const {
     return {*length, level};
 }
 
-void MeshingOptions::set(BufferOptions& options) const {
-    options.margin = exact_option("--margin", margin, false);
-    options.height = exact_option("--height", height, true);
-}
-
 void SourceOption::add_to(CLI::App& command) {
-    command
-        .add_option("--source", name,
-                    "Where candidates come from: a CGAL AABB tree, Embree, an octree, or all polygons")
-        ->check(CLI::IsMember({"cgal", "embree", "octree", "all"}));
-}
-
-Source SourceOption::source() const {
-    for (const Source source : {Source::all, Source::embree, Source::octree})
-        if (name == to_text(source)) return source;
-    return Source::cgal;
+    Choice::add_to(command, "--source",
+                   "Where candidates come from: a CGAL AABB tree, Embree, an octree, or all polygons");
 }
 
 void KeepOptions::add_to(CLI::App& command) {

@@ -10,6 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -25,30 +27,60 @@ struct SceneOptions {
     bool skip_invalid = false;
     std::string emission = "exitance";
 
-    void add_to(CLI::App& command);
+    /// Returns SCENE, which is required.
+    CLI::Option* add_to(CLI::App& command);
+    void add_skip_invalid_to(CLI::App& command);
     /// --emission, where photometry is asked for.
     void add_emission_to(CLI::App& command);
     /// Reads the scene; warnings and skipped polygons go to standard error.
     Scene read() const;
 };
 
-/// --level, --edge, --margin, --height: the elements and their boxes.
+/// --margin, --height: the elements' boxes.
+struct BoxOptions {
+    std::string margin = "0.125", height = "0.25";
+
+    void add_to(CLI::App& command);
+    /// Sets the options of that name.
+    template <class Options>
+    void set(Options& options) const {
+        options.margin = exact_option("--margin", margin, false);
+        options.height = exact_option("--height", height, true);
+    }
+};
+
+/// --level, --edge and the boxes': the elements.
 struct MeshingOptions {
     int level = 0;
-    std::string edge = "0", margin = "0.125", height = "0.25";
+    std::string edge = "0";
+    BoxOptions box;
 
     void add_to(CLI::App& command);
     Meshing meshing() const;
-    /// Sets margin and height.
-    void set(BufferOptions& options) const;
+};
+
+/// An option that takes one of several values by its name, to_text(value).
+template <class Value>
+class Choice {
+public:
+    Choice(Value standard, std::initializer_list<Value> values) : name_(to_text(standard)) {
+        for (const Value value : values) values_.emplace(to_text(value), value);
+    }
+    void add_to(CLI::App& command, const char* option, const std::string& description) {
+        command.add_option(option, name_, description)->check(CLI::IsMember(values_));
+    }
+    Value operator()() const { return values_.at(name_); }
+    const std::string& name() const { return name_; }
+
+private:
+    std::string name_;
+    std::map<std::string, Value> values_;
 };
 
 /// --source
-struct SourceOption {
-    std::string name = "cgal";
-
+struct SourceOption : Choice<Source> {
+    SourceOption() : Choice(Source::cgal, {Source::all, Source::cgal, Source::embree, Source::octree}) {}
     void add_to(CLI::App& command);
-    Source source() const;
 };
 
 /// --keep and --keep-all: what is done although the scene does not need it.

@@ -1,5 +1,6 @@
 /// cob render: progressive refinement radiosity and its pictures (SPEC 8).
 #include "cli/commands.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "cob/error.hpp"
@@ -19,21 +20,15 @@ namespace cob::cli {
 
 namespace {
 
-const std::map<std::string, Refinement> refinements{{"none", Refinement::none},
-                                                    {"gradient", Refinement::gradient},
-                                                    {"buffer", Refinement::buffer},
-                                                    {"both", Refinement::both}};
-const std::map<std::string, Strength> strengths{
-    {"exitance", Strength::exitance}, {"flux", Strength::flux}, {"paper", Strength::paper}};
-const std::map<std::string, BufferLevels> levels{
-    {"element", BufferLevels::element}, {"polygon", BufferLevels::polygon}, {"tree", BufferLevels::tree}};
-const std::map<std::string, BufferMode> modes{{"strict", BufferMode::strict}, {"inherit", BufferMode::inherit}};
-
 struct Arguments {
-    std::string scene, folder, checkpoint, view, beside;
-    std::string refine = "both", strength = "exitance", buffer_levels = "tree", mode = "strict";
-    std::string emission = "exitance", margin = "0.125", height = "0.25";
-    bool skip_invalid = false;
+    SceneOptions scene;
+    std::string folder, checkpoint, view, beside;
+    Choice<Refinement> refinement{Refinement::both,
+                                  {Refinement::none, Refinement::gradient, Refinement::buffer, Refinement::both}};
+    Choice<Strength> strength{Strength::exitance, {Strength::exitance, Strength::flux, Strength::paper}};
+    Choice<BufferLevels> levels{BufferLevels::tree, {BufferLevels::element, BufferLevels::polygon, BufferLevels::tree}};
+    Choice<BufferMode> mode{BufferMode::strict, {BufferMode::strict, BufferMode::inherit}};
+    BoxOptions box;
     KeepOptions keep;
     std::vector<double> gradient_threshold{0.25};
     std::vector<double> position, target, up, line;
@@ -45,28 +40,13 @@ struct Arguments {
     report::PictureOptions picture;
 };
 
-/// The name of a value, for options given by name.
-template <class T>
-T choice(const std::map<std::string, T>& names, const std::string& name) {
-    return names.at(name);
-}
-
-Rational exact_number(const char* option, const std::string& text, bool positive) {
-    const std::optional<Rational> value = parse_exact(text);
-    if (!value || *value < 0 || (positive && *value == 0))
-        throw InputError(std::string("not a usable number for ") + option,
-                         {"", 0, text, positive ? "give a number above 0" : "give a number of at least 0"});
-    return *value;
-}
-
 RadiosityOptions solver_options(const Arguments& arguments) {
     RadiosityOptions options = arguments.options;
-    options.refinement = choice(refinements, arguments.refine);
-    options.buffer.strength = choice(strengths, arguments.strength);
-    options.buffer.levels = choice(levels, arguments.buffer_levels);
-    options.buffer.mode = choice(modes, arguments.mode);
-    options.buffer.margin = exact_number("--margin", arguments.margin, false);
-    options.buffer.height = exact_number("--height", arguments.height, true);
+    options.refinement = arguments.refinement();
+    options.buffer.strength = arguments.strength();
+    options.buffer.levels = arguments.levels();
+    options.buffer.mode = arguments.mode();
+    arguments.box.set(options.buffer);
     options.keep = arguments.keep.set();
     if (arguments.elements > 0) options.stop.elements = arguments.elements;
     const std::vector<double>& threshold = arguments.gradient_threshold;
@@ -82,7 +62,7 @@ Point point_of(const std::vector<double>& numbers) {
 }
 
 report::Camera camera_of(const Arguments& arguments, const Scene& scene) {
-    const std::optional<std::string> beside = report::view_beside(arguments.scene);
+    const std::optional<std::string> beside = report::view_beside(arguments.scene.path);
     report::Camera camera = !arguments.view.empty() ? report::read_view(arguments.view)
                             : beside                ? report::read_view(*beside)
                                                     : report::default_camera(scene);
@@ -101,8 +81,20 @@ std::string ended_by(const RadiositySolver& solver) {
     return "unshot flux";
 }
 
+/// The line that is asked for, if one is.
+std::optional<report::ExitanceLine> line_of(const RadiositySolver& solver, const Arguments& arguments) {
+    const std::vector<double>& l = arguments.line;
+    if (l.empty()) return std::nullopt;
+    return report::ExitanceLine(solver, {{l[0], l[1], l[2]},
+                                         {l[3], l[4], l[5]},
+                                         arguments.line_points,
+                                         arguments.line_samples,
+                                         arguments.options.threads});
+}
+
 void write_all(const RadiositySolver& solver, const Arguments& arguments, const report::Camera& camera,
-               report::RunFigures figures, std::chrono::steady_clock::time_point begin) {
+               const std::optional<report::ExitanceLine>& line, report::RunFigures figures,
+               std::chrono::steady_clock::time_point begin) {
     const auto seconds_since = [](std::chrono::steady_clock::time_point t) {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
     };
@@ -121,12 +113,7 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
     if (!arguments.beside.empty())
         write_file(base + "beside.png",
                    report::encode_png(report::beside(report::decode_png(arguments.beside), pictures.plain)));
-    if (!arguments.line.empty()) {
-        const std::vector<double>& l = arguments.line;
-        report::write_exitance_line(
-            solver, {{l[0], l[1], l[2]}, {l[3], l[4], l[5]}, arguments.line_points, arguments.line_samples},
-            base + "line");
-    }
+    if (line) line->write(base + "line");
     write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
     write_file(base + "exitance.csv", report::solution_csv(solver));
@@ -138,22 +125,20 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
 
 void run(const Arguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
-    ReadReport report;
-    const Scene scene =
-        read_obj(arguments.scene, ReadOptions{arguments.skip_invalid, arguments.emission == "radiance"}, &report);
-    for (const std::string& warning : report.warnings) std::fprintf(stderr, "cob: %s\n", warning.c_str());
+    const Scene scene = arguments.scene.read();
     const report::Camera camera = camera_of(arguments, scene);
     report::Frame(camera, arguments.picture.width, arguments.picture.height);  // refuses before the work, not after
     const OutputFolder created(arguments.folder);
 
     RadiositySolver solver(scene, solver_options(arguments));
+    const std::optional<report::ExitanceLine> line = line_of(solver, arguments);
     if (!arguments.checkpoint.empty() && std::filesystem::exists(arguments.checkpoint))
         solver.resume(read_file(arguments.checkpoint));
 
     // The run: one shot after the other. Ctrl-C ends it after the current one, and what there is is written.
     const Progress progress = terminal_progress("unshot flux shot");
     report::RunFigures figures;
-    figures.scene = arguments.scene;
+    figures.scene = arguments.scene.path;
     auto saved = std::chrono::steady_clock::now();
     const double from = std::log(1 / solver.options().stop.unshot);
     try {
@@ -177,7 +162,7 @@ void run(const Arguments& arguments) {
         figures.ended_by = "interrupt";
     }
     if (!arguments.checkpoint.empty()) write_file(arguments.checkpoint, solver.checkpoint());
-    write_all(solver, arguments, camera, figures, begin);
+    write_all(solver, arguments, camera, line, figures, begin);
     if (figures.interrupted) throw Interrupted();
 }
 
@@ -188,120 +173,81 @@ void add_render(CLI::App& app) {
     Arguments& a = *arguments;
     RadiosityOptions& o = a.options;
     CLI::App* command = app.add_subcommand("render", "Solve radiosity with the Close Object Buffer and draw it");
-    command->option_defaults()->always_capture_default();
-    command->add_option("SCENE", a.scene, "OBJ file; a .view file beside it is the default camera")->required();
+    a.scene.add_to(*command)->description("OBJ file of the scene; a .view file beside it is the default camera");
+    a.scene.add_emission_to(*command);
     command
         ->add_option("-o,--output", a.folder,
                      "Folder for picture.png, mesh.png, states.png, mesh.ply, mesh.vtp, exitance.csv, summary.*")
         ->required();
-    const auto names = [](const auto& map) {
-        std::vector<std::string> all;
-        for (const auto& entry : map) all.push_back(entry.first);
-        return CLI::IsMember(all);
-    };
-    const auto positive = CLI::PositiveNumber;
+    const auto number = [](CLI::Option* option) { option->check(CLI::NonNegativeNumber)->check(finite()); };
+    const auto defaults = command->option_defaults();
 
-    command->add_option("--refine", a.refine, "Which refinement is on")->check(names(refinements))->group("Refinement");
-    command->add_option("--edge", o.patch_edge, "Longest side of a patch; 0: a twelfth of the scene's longest extent")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Refinement");
-    command->add_option("--light-edge", o.light_edge, "Longest side of a light's patch; 0: as --edge")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Refinement");
-    command->add_option("--buffer-edge", o.buffer.minimum_edge, "The buffer's minimum edge; 0: a sixteenth of --edge")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Refinement");
-    command->add_option("--strength", a.strength, "Strength of an interaction (SPEC 8, choice 7)")
-        ->check(names(strengths))
-        ->group("Refinement");
-    command->add_option("--strength-threshold", o.buffer.threshold, "Weaker interactions do not refine")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Refinement");
-    command->add_option("--margin", a.margin, "Of the box, share of the element's extents (SPEC 4)")
-        ->group("Refinement");
-    command->add_option("--height", a.height, "Of the box, share of its shorter extent (SPEC 4)")->group("Refinement");
-    command->add_option("--buffer", a.buffer_levels, "What an element's buffer is built from")
-        ->check(names(levels))
-        ->group("Refinement");
-    command->add_option("--mode", a.mode, "What an occluded buffer means inside (SPEC 5, choice 5)")
-        ->check(names(modes))
-        ->group("Refinement");
-    command
-        ->add_option("--gradient-threshold", a.gradient_threshold,
-                     "Difference of exitance over its mean; 1 or 3 numbers")
-        ->delimiter(',')
-        ->expected(1, 3)
-        ->group("Refinement");
-    command
-        ->add_option("--gradient-edge", o.gradient.minimum_edge, "The gradient's minimum edge; 0: an eighth of --edge")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Refinement");
+    defaults->group("Refinement");
+    a.refinement.add_to(*command, "--refine", "Which refinement is on");
+    number(command->add_option("--edge", o.patch_edge,
+                               "Longest side of a patch; 0: a twelfth of the scene's longest extent"));
+    number(command->add_option("--light-edge", o.light_edge, "Longest side of a light's patch; 0: as --edge"));
+    number(command->add_option("--buffer-edge", o.buffer.minimum_edge,
+                               "The buffer's minimum edge; 0: a sixteenth of --edge"));
+    a.strength.add_to(*command, "--strength", "Strength of an interaction (SPEC 8, choice 7)");
+    number(command->add_option("--strength-threshold", o.buffer.threshold, "Weaker interactions do not refine"));
+    a.box.add_to(*command);
+    a.levels.add_to(*command, "--buffer", "What an element's buffer is built from");
+    a.mode.add_to(*command, "--mode", "What an occluded buffer means inside (SPEC 5, choice 5)");
+    number(command
+               ->add_option("--gradient-threshold", a.gradient_threshold,
+                            "Difference of exitance over its mean; 1 or 3 numbers")
+               ->delimiter(',')
+               ->expected(1, 3));
+    number(command->add_option("--gradient-edge", o.gradient.minimum_edge,
+                               "The gradient's minimum edge; 0: an eighth of --edge"));
 
-    command->add_option("--shots", o.stop.shots, "Stop after so many shots")->check(positive)->group("Stop");
-    command->add_option("--elements", a.elements, "Stop at so many elements; 0: never")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Stop");
+    defaults->group("Stop");
+    command->add_option("--shots", o.stop.shots, "Stop after so many shots")->check(CLI::PositiveNumber);
+    command->add_option("--elements", a.elements, "Stop at so many elements; 0: never")->check(CLI::NonNegativeNumber);
     command->add_option("--unshot", o.stop.unshot, "Stop when this share of the emitted flux is unshot")
         ->check(CLI::Range(0.0, 1.0))
-        ->group("Stop");
-    command->add_option("--checkpoint", a.checkpoint, "File to resume from, if it exists, and to save to")
-        ->group("Stop");
-    command->add_option("--checkpoint-seconds", a.checkpoint_seconds, "Save so often")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Stop");
+        ->check(finite());
+    command->add_option("--checkpoint", a.checkpoint, "File to resume from, if it exists, and to save to");
+    number(command->add_option("--checkpoint-seconds", a.checkpoint_seconds, "Save so often"));
 
-    command->add_option("--emission", a.emission, "What Ke means")
-        ->check(CLI::IsMember({"exitance", "radiance"}))
-        ->group("Transport");
+    defaults->group("Transport");
     command->add_option("--samples", o.samples, "Points of a shooter seen from each receiver")
-        ->check(CLI::IsMember({1, 4, 16, 64}))
-        ->group("Transport");
+        ->check(CLI::IsMember({1, 4, 16, 64}));
     command->add_option("--mixed-samples", o.mixed_samples, "Instead, where some of them are blocked")
-        ->check(CLI::IsMember({1, 4, 16, 64}))
-        ->group("Transport");
+        ->check(CLI::IsMember({1, 4, 16, 64}));
     command->add_option("--receiving-points", o.receiving_points, "Points of an element that receive")
-        ->check(CLI::IsMember({1, 4, 16}))
-        ->group("Transport");
-    command->add_flag("--overshoot", o.overshoot, "Shoot what is going to arrive, too: fewer shots")
-        ->group("Transport");
-    command->add_flag("--skip-invalid", a.skip_invalid, "Leave polygons out that SPEC 2 refuses")->group("Transport");
+        ->check(CLI::IsMember({1, 4, 16}));
+    command->add_flag("--overshoot", o.overshoot, "Shoot what is going to arrive, too: fewer shots");
     a.keep.add_to(*command);
-    command->add_option("--threads", o.threads, "0: all; the result is the same")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Transport");
+    add_threads(*command, o.threads);
 
-    command->add_option("--view", a.view, "File with position, target, up, fov")->group("Picture");
-    command->add_option("--position", a.position, "Camera's place, X Y Z")->expected(3)->group("Picture");
-    command->add_option("--target", a.target, "Where it looks, X Y Z")->expected(3)->group("Picture");
-    command->add_option("--up", a.up, "What is up, X Y Z")->expected(3)->group("Picture");
+    defaults->group("Picture");
+    command->add_option("--view", a.view, "File with position, target, up, fov");
+    command->add_option("--position", a.position, "Camera's place, X Y Z")->expected(3)->check(finite());
+    command->add_option("--target", a.target, "Where it looks, X Y Z")->expected(3)->check(finite());
+    command->add_option("--up", a.up, "What is up, X Y Z")->expected(3)->check(finite());
     command->add_option("--fov", a.fov, "Vertical field of view, degrees; 0: of the view")
         ->check(CLI::Range(0.0, 179.0))
-        ->group("Picture");
-    command->add_option("--width", a.picture.width, "Pixels")->check(CLI::Range(16, 8192))->group("Picture");
-    command->add_option("--picture-height", a.picture.height, "Pixels")->check(CLI::Range(16, 8192))->group("Picture");
+        ->check(finite());
+    command->add_option("--width", a.picture.width, "Pixels")->check(CLI::Range(16, 8192));
+    command->add_option("--picture-height", a.picture.height, "Pixels")->check(CLI::Range(16, 8192));
     command->add_option("--antialias", a.picture.antialiasing, "Rays a pixel along either side")
-        ->check(CLI::Range(1, 16))
-        ->group("Picture");
-    command->add_option("--exposure", a.picture.exposure, "Linear light for 1 W/m2; 0: from the picture")
-        ->check(CLI::NonNegativeNumber)
-        ->group("Picture");
+        ->check(CLI::Range(1, 16));
+    number(command->add_option("--exposure", a.picture.exposure, "Linear light for 1 W/m2; 0: from the picture"));
     command
         ->add_option("--beside", a.beside, "Another picture: beside.png shows it to the left of this run's picture.png")
-        ->check(CLI::ExistingFile)
-        ->group("Picture");
+        ->check(CLI::ExistingFile);
     command
         ->add_option("--line", a.line,
                      "Exitance along a line on a surface, X0 Y0 Z0 X1 Y1 Z1, beside what the same shots bring to each "
                      "point itself: line.csv, line.svg, line.png")
         ->expected(6)
-        ->group("Picture");
-    command->add_option("--line-points", a.line_points, "Points along --line")
-        ->check(CLI::Range(2, 100000))
-        ->group("Picture");
+        ->check(finite());
+    command->add_option("--line-points", a.line_points, "Points along --line")->check(CLI::Range(2, 100000));
     command->add_option("--line-samples", a.line_samples, "Segments from each point of --line to each shooter")
-        ->check(CLI::IsMember({1, 4, 16, 64, 256, 1024}))
-        ->group("Picture");
-    command->add_flag("--ambient", a.picture.ambient, "Add the ambient term, for display only")->group("Picture");
+        ->check(CLI::IsMember({1, 4, 16, 64, 256, 1024}));
+    command->add_flag("--ambient", a.picture.ambient, "Add the ambient term, for display only");
     command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 // cob stress: stiff and extreme cases, each with what is expected and what came out.
 #include "arithmetic/process.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "cob/files.hpp"
 #include "report/stress_report.hpp"
@@ -14,16 +15,20 @@ namespace cob::cli {
 namespace {
 
 struct StressCommand {
+    SceneOptions scene;
     std::string folder;
     std::vector<std::string> scenes;
     bool quick = false;
 
-    void run() const {
+    void run() {
         StressOptions options;
         options.quick = quick;
         options.progress = terminal_progress("stress case");
         std::vector<Scene> read_scenes;  // all of them before the work, so that a bad one is told at once
-        for (const std::string& path : scenes) read_scenes.push_back(read_obj(path, ReadOptions{true, false}));
+        for (const std::string& path : scenes) {
+            scene.path = path;
+            read_scenes.push_back(scene.read());
+        }
         const OutputFolder created(folder);
 
         Stopwatch watch;
@@ -54,10 +59,10 @@ void add_stress(CLI::App& app) {
     auto& command = *app.add_subcommand(
         "stress", "Stiff and extreme cases, each with what is expected and what came out; exit code 1 where one fails");
     const auto options = std::make_shared<StressCommand>();
-    command.add_option("-o,--output", options->folder, "Folder for stress.csv, geometry.csv, stress.txt, stress.html")
-        ->required();
+    add_output_folder(command, options->folder);
     command.add_option("--scene", options->scenes,
                        "OBJ file; repeatable: how many answers change when every coordinate moves by one ulp");
+    options->scene.add_skip_invalid_to(command);
     command.add_flag("--quick", options->quick, "A subset of the cases, in seconds");
     command.callback([options] { options->run(); });
 }

@@ -1,5 +1,8 @@
 // cob study: error of exitance against time and elements, and the paper's claims.
+#include "arithmetic/threads.hpp"
 #include "cli/commands.hpp"
+#include "cli/number_checks.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
@@ -11,33 +14,30 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 
 namespace cob::cli {
 namespace {
 
 struct StudyCommand {
-    std::string scene, folder, light = "direct", data = COB_DATA_FOLDER;
-    bool skip_invalid = false, claims = false, quick = false;
+    SceneOptions scene;
+    std::string folder, light = "direct", data = COB_DATA_FOLDER;
+    bool claims = false, quick = false;
     std::vector<std::string> only;
     std::vector<double> within;
     std::size_t points = 2000, unknowns = 400;
     int budgets = 0, repeats = 3, threads = 0, shots = 60;
 
     void run() const {
-        if (claims != scene.empty())
+        if (claims != scene.path.empty())
             throw InputError(claims ? "--claims takes no scene: it measures on those of --data" : "no scene is given",
-                             {"", 0, scene, claims ? "leave SCENE out" : "give an OBJ file, or --claims"});
-        create_folder(folder);
+                             {"", 0, scene.path, claims ? "leave SCENE out" : "give an OBJ file, or --claims"});
         claims ? run_claims() : run_study();
     }
-
-    int thread_count() const { return threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()); }
 
     /// Runs are kept by what they depend on: another scene, reference or commit are other runs.
     std::string kept(const BenchMachine& machine) const {
         Sha256 hash;
-        hash.update(read_file(scene));
+        hash.update(read_file(scene.path));
         for (const std::string& word : {light, std::to_string(points), std::to_string(unknowns),
                                         std::to_string(repeats), std::to_string(threads), machine.commit})
             hash.update(word + "\n");
@@ -46,13 +46,13 @@ struct StudyCommand {
     }
 
     void run_study() const {
-        const Scene read_scene = read_obj(scene, ReadOptions{skip_invalid, false});
+        const Scene read_scene = scene.read();
         report::StudyResults results;
-        results.scene = std::filesystem::path(scene).stem().string();
+        results.scene = std::filesystem::path(scene.path).stem().string();
         results.machine = bench_machine();
-        results.threads = thread_count();
+        results.threads = thread_count(threads);
         const std::string runs = kept(results.machine);
-        create_folder(runs);
+        const OutputFolder created(runs);
 
         const bool full = light == "full";
         StudyRegion region;
@@ -81,7 +81,7 @@ struct StudyCommand {
             alive(0, 0);
         }
         if (shots > 0) {
-            const std::optional<std::string> view = report::view_beside(scene);
+            const std::optional<std::string> view = report::view_beside(scene.path);
             results.pictures =
                 report::draw_study(read_scene, view ? report::read_view(*view) : report::default_camera(read_scene),
                                    results.runs.back().settings, shots, threads, folder, alive);
@@ -91,6 +91,7 @@ struct StudyCommand {
     }
 
     void run_claims() const {
+        const OutputFolder created(folder);
         ClaimOptions options;
         options.data = data;
         options.folder = folder;
@@ -98,7 +99,7 @@ struct StudyCommand {
         options.threads = threads;
         options.progress = terminal_progress("claims: case");
         const std::vector<ClaimResult> results = measure_claims(only, options);
-        report::write_claims(results, {bench_machine(), thread_count(), quick}, folder);
+        report::write_claims(results, {bench_machine(), thread_count(threads), quick}, folder);
         std::fputs(report::claims_text(results).c_str(), stdout);
     }
 };
@@ -109,10 +110,9 @@ void add_study(CLI::App& app) {
     auto& command = *app.add_subcommand("study",
                                         "Error against time and elements: uniform, gradient, buffer and both, over "
                                         "budgets; or, with --claims, the paper's claims, measured");
-    command.option_defaults()->always_capture_default();
     const auto options = std::make_shared<StudyCommand>();
-    command.add_option("SCENE", options->scene, "OBJ file; a .view file beside it is the camera");
-    command.add_flag("--skip-invalid", options->skip_invalid, "Leave polygons out that SPEC 2 refuses");
+    options->scene.add_to(command)->required(false)->description(
+        "OBJ file of the scene, without --claims; a .view file beside it is the camera");
     command.add_option("--light", options->light, "direct: from the lights alone; full: reflected any number of times")
         ->check(CLI::IsMember({"direct", "full"}));
     command.add_option("--points", options->points, "Points of the reference")->check(CLI::Range(1, 1000000));
@@ -121,7 +121,8 @@ void add_study(CLI::App& app) {
     command
         .add_option("--within", options->within,
                     "XMIN YMIN ZMIN XMAX YMAX ZMAX: points of the reference in this box only")
-        ->expected(6);
+        ->expected(6)
+        ->check(finite());
     command
         .add_option("--budgets", options->budgets,
                     "How many uniform meshes, each with half the edge of the one before; 0: 5, of full light 3")
@@ -130,7 +131,7 @@ void add_study(CLI::App& app) {
         ->check(CLI::Range(1, 1000));
     command.add_option("--picture-shots", options->shots, "Shots of the pictures; 0: no pictures")
         ->check(CLI::NonNegativeNumber);
-    command.add_option("--threads", options->threads, "0: all")->check(CLI::NonNegativeNumber);
+    add_threads(command, options->threads);
     command.add_flag("--claims", options->claims, "The paper's claims instead: what was measured, and the verdict");
     command.add_option("--only", options->only, "Of the claims only these")->check(CLI::IsMember(claim_ids()));
     command.add_option("--data", options->data, "Folder of the shipped scenes, for --claims");

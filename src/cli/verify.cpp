@@ -1,5 +1,5 @@
 #include "cli/commands.hpp"
-#include "cli/whole_number.hpp"
+#include "cli/number_checks.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/golden.hpp"

@@ -52,6 +52,20 @@ inline Bounds bounds_of(const Scene& scene, View<VertexId> corners) {
     return bounds;
 }
 
+/// Of all pieces: a vertex that no valid polygon uses does not count.
+inline Bounds bounds_of(const Scene& scene) {
+    Bounds bounds;
+    for (const Piece& piece : scene.pieces()) bounds.add(bounds_of(scene, scene.corners(piece)));
+    return bounds;
+}
+
+/// Length of the longest side: 0 of empty bounds, at most the largest binary64 number.
+inline double longest_extent(const Bounds& bounds) {
+    double longest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) longest = std::max(longest, bounds.high[axis] - bounds.low[axis]);
+    return std::min(longest, std::numeric_limits<double>::max());
+}
+
 /// A segment prepared for slab tests. Each end is off the exact one by at most half an ulp in each coordinate.
 class SlabSegment {
 public:

@@ -87,7 +87,7 @@ private:
     }
 
     void build_here() const {
-        normalisation_.emplace(bounds_of_pieces(scene_));
+        normalisation_.emplace(bounds_of(scene_));
         std::vector<RTCBounds> bounds;
         for (const Piece& piece : scene_.pieces()) bounds.push_back(bounds_of_piece(piece));
 

@@ -97,7 +97,7 @@ void PieceTreeNode::set(std::size_t lane, const Bounds& of, const Normalisation&
     children[lane] = child;
 }
 
-PieceTree::PieceTree(const Scene& scene) : scene_(&scene), normalisation_(bounds_of_pieces(scene)) {}
+PieceTree::PieceTree(const Scene& scene) : scene_(&scene), normalisation_(bounds_of(scene)) {}
 
 std::size_t PieceTree::memory() const {
     return sizeof *this + nodes_.capacity() * sizeof(PieceTreeNode) + packets_.capacity() * sizeof(PiecePacket);
@@ -129,12 +129,6 @@ void PieceTree::walk(const Point& from, const Point& to, CandidateSource::PieceC
                                : static_cast<const void*>(&nodes_[static_cast<std::size_t>(child)]));
         }
     }
-}
-
-Bounds bounds_of_pieces(const Scene& scene) {
-    Bounds all;
-    for (const Piece& piece : scene.pieces()) all.add(bounds_of(scene, scene.corners(piece)));
-    return all;
 }
 
 void walk_all_pieces(const Scene& scene, const Point& from, const Point& to, CandidateSource::PieceCallback callback) {

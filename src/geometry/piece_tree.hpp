@@ -46,8 +46,6 @@ private:
 /// In the order that CGAL's AABB tree finds.
 PieceTree build_piece_tree(const Scene& scene);
 
-/// The bounds of all pieces.
-Bounds bounds_of_pieces(const Scene& scene);
 /// Every piece whose bounds may meet the segment, one after the other: for segments that no tree takes.
 void walk_all_pieces(const Scene& scene, const Point& from, const Point& to, CandidateSource::PieceCallback callback);
 

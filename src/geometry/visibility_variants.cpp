@@ -117,13 +117,6 @@ struct EpsilonArithmetic {
     }
 };
 
-double longest_extent(const Scene& scene) {
-    Bounds bounds;
-    for (const Piece& piece : scene.pieces()) bounds.add(bounds_of(scene, scene.corners(piece)));
-    const std::size_t axis = bounds.longest_axis();
-    return scene.pieces().empty() ? 0 : bounds.high[axis] - bounds.low[axis];
-}
-
 }  // namespace
 
 /// Only what is certain counts: a piece crossed inside for certain blocks whatever the others do.
@@ -161,7 +154,7 @@ VisibilityAnswer VisibilityOracle::operator()(const Segment& segment, Arithmetic
             return with(NumberArithmetic<double, PlainSign<double>>{});
         case Arithmetic::epsilon: {
             std::call_once(implementation_->extent_known,
-                           [&] { implementation_->extent = longest_extent(implementation_->pieces.scene()); });
+                           [&] { implementation_->extent = longest_extent(bounds_of(implementation_->pieces.scene())); });
             return with(EpsilonArithmetic{EpsilonArithmetic::relative * implementation_->extent});
         }
         case Arithmetic::interval: {

@@ -87,11 +87,16 @@ void bench_segments(const BenchSet& set, const BenchOptions& options, std::vecto
 
 std::vector<BenchRow> bench_set(const std::string& folder, const BenchOptions& options) {
     const BenchSet set = read_bench_set(folder, options);
+    BenchOptions counted = options;
+    if (options.progress)
+        counted.progress = [&options, kinds = std::uint64_t{0}](std::uint64_t, std::uint64_t) mutable {
+            options.progress(kinds++, 0);
+        };
     std::vector<BenchRow> rows;
-    bench_boxes(set, options, rows);
-    bench_cgal(set, options, rows);
-    bench_segments(set, options, rows);
-    bench_embree(set, options, rows);
+    bench_boxes(set, counted, rows);
+    bench_cgal(set, counted, rows);
+    bench_segments(set, counted, rows);
+    bench_embree(set, counted, rows);
     return rows;
 }
 

@@ -74,6 +74,7 @@ BenchSet read_bench_set(const std::string& folder, const BenchOptions& options) 
 
 BenchRow measure(std::size_t count, const BenchOptions& options, const std::function<void(std::size_t)>& ask,
                  const std::function<Outcome(std::size_t)>& judge, const std::function<void()>& prepare) {
+    if (options.progress) options.progress(0, 0);
     BenchRow row;
     row.questions = count;
     if (count == 0) return row;

@@ -45,7 +45,7 @@ enum class Outcome : std::uint8_t { right, undecided, wrong };
 
 /// Asks `count` questions several times over. Before each time, and before the clock starts, prepare() makes anew what
 /// the questions may keep; ask(k) decides question k and keeps the answer; judge(k) tells what it was worth, after the
-/// clock has stopped.
+/// clock has stopped. Tells the progress that it begins.
 BenchRow measure(
     std::size_t count, const BenchOptions& options, const std::function<void(std::size_t)>& ask,
     const std::function<Outcome(std::size_t)>& judge, const std::function<void()>& prepare = [] {});

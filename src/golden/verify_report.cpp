@@ -1,6 +1,6 @@
 #include "cob/golden.hpp"
 
-#include <nlohmann/json.hpp>
+#include "scene/json_text.hpp"
 
 namespace cob {
 
@@ -84,7 +84,7 @@ std::string to_json(const verify::Report& report) {
     }
     json["first"] = Json::array();
     for (const verify::Disagreement& d : report.first) json["first"].push_back(to_json(d));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 std::string to_junit(const verify::Report& report) {

@@ -1,5 +1,7 @@
 #include "radiosity/mesh.hpp"
 
+#include "geometry/bounds.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -42,8 +44,10 @@ std::vector<VertexId> first_at_positions(const Scene& scene) {
 
 int unit_exponent(const Scene& scene) {
     double largest = 0;
-    for (const Point& p : scene.positions())
-        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    const Bounds bounds = bounds_of(scene);
+    if (!scene.pieces().empty())
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            largest = std::max({largest, std::fabs(bounds.low[axis]), std::fabs(bounds.high[axis])});
     return largest > 0 ? std::ilogb(largest) + 1 : 0;
 }
 

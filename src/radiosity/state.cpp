@@ -1,6 +1,7 @@
 #include "radiosity/state.hpp"
 
 #include "cob/error.hpp"
+#include "geometry/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +13,37 @@ using namespace radiosity;
 
 namespace {
 
-double longest_extent(const Scene& scene) {
-    double longest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const Point& p : scene.positions()) {
-            low = std::min(low, p[axis]);
-            high = std::max(high, p[axis]);
-        }
-        longest = std::max(longest, high - low);
-    }
-    return std::isfinite(longest) ? longest : std::numeric_limits<double>::max();
-}
-
 int default_threads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 }  // namespace
+
+const char* to_text(Refinement refinement) {
+    switch (refinement) {
+        case Refinement::none:
+            return "none";
+        case Refinement::gradient:
+            return "gradient";
+        case Refinement::buffer:
+            return "buffer";
+        case Refinement::both:
+            return "both";
+    }
+    return "";
+}
+
+const char* to_text(Strength strength) {
+    switch (strength) {
+        case Strength::exitance:
+            return "exitance";
+        case Strength::flux:
+            return "flux";
+        case Strength::paper:
+            return "paper";
+    }
+    return "";
+}
 
 RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_options)
     : scene(a_scene),
@@ -88,9 +102,19 @@ RadiosityOptions RadiositySolver::State::checked(const Scene& scene, RadiosityOp
     if (!lit) refuse("the scene has no light: everything stays black", "", "give a material a Ke above 0");
 
     RadiosityOptions& o = options;
-    if (!(o.patch_edge >= 0)) refuse("a patch edge must not be negative", to_text(o.patch_edge), "give a length");
-    if (o.patch_edge == 0) o.patch_edge = longest_extent(scene) / 12;
-    if (!(o.light_edge >= 0)) refuse("a light's edge must not be negative", to_text(o.light_edge), "give a length");
+    const std::pair<const char*, double> numbers[] = {{"patch edge", o.patch_edge},
+                                                      {"light's patch edge", o.light_edge},
+                                                      {"buffer's minimum edge", o.buffer.minimum_edge},
+                                                      {"strength threshold", o.buffer.threshold},
+                                                      {"gradient's minimum edge", o.gradient.minimum_edge},
+                                                      {"gradient threshold", o.gradient.threshold[0]},
+                                                      {"gradient threshold", o.gradient.threshold[1]},
+                                                      {"gradient threshold", o.gradient.threshold[2]},
+                                                      {"gradient's floor", o.gradient.floor},
+                                                      {"share of unshot flux", o.stop.unshot}};
+    for (const auto& [name, number] : numbers)
+        if (!(number >= 0)) refuse(std::string("the ") + name + " is no number from 0 up", to_text(number), "give one");
+    if (o.patch_edge == 0) o.patch_edge = longest_extent(bounds_of(scene)) / 12;
     if (o.light_edge == 0) o.light_edge = o.patch_edge;
     if (o.buffer.minimum_edge == 0) o.buffer.minimum_edge = o.patch_edge / 16;
     if (o.gradient.minimum_edge == 0) o.gradient.minimum_edge = o.patch_edge / 8;

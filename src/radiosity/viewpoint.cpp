@@ -1,6 +1,7 @@
 #include "radiosity/viewpoint.hpp"
 
-#include <limits>
+#include "geometry/bounds.hpp"
+
 #include <numeric>
 
 namespace cob::radiosity {
@@ -28,20 +29,14 @@ bool is_straight(const Point& a, const Point& b, const Point& c) {
     return cob::cross(q - p, r - q) == RationalPoint{};
 }
 
-double scale_of(const std::vector<Point>& positions) {
-    double size = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        double low = std::numeric_limits<double>::max(), high = -low;
-        for (const Point& p : positions) low = std::min(low, p[axis]), high = std::max(high, p[axis]);
-        if (high > low) size = std::max(size, high / 2 - low / 2);
-    }
-    if (size == 0) return 1;
-    return std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1020));
+double scale_of(const Bounds& bounds) {
+    const double size = longest_extent(bounds);
+    return size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1020)) : 1;
 }
 
 }  // namespace
 
-PreparedPieces::PreparedPieces(const Scene& scene) : scene_(&scene), scale_(scale_of(scene.positions())) {
+PreparedPieces::PreparedPieces(const Scene& scene) : scene_(&scene), scale_(scale_of(bounds_of(scene))) {
     const std::vector<VertexId> canonical = first_at_position(scene.positions());
     first_corner_.push_back(0);
     for (const Piece& piece : scene.pieces()) {

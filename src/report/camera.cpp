@@ -2,11 +2,11 @@
 
 #include "cob/error.hpp"
 #include "cob/files.hpp"
+#include "geometry/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <sstream>
 
 namespace cob::report {
@@ -89,13 +89,8 @@ std::optional<std::string> view_beside(const std::string& scene_path) {
 }
 
 Camera default_camera(const Scene& scene) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-    for (const Point& p : scene.positions())
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], p[axis]);
-            high[axis] = std::max(high[axis], p[axis]);
-        }
+    const Bounds bounds = bounds_of(scene);
+    const Point low{bounds.low[0], bounds.low[1], bounds.low[2]}, high{bounds.high[0], bounds.high[1], bounds.high[2]};
     const Point middle = 0.5 * (low + high), extent = high - low;
     Camera camera;
     camera.target = middle;

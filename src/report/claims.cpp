@@ -3,6 +3,7 @@
 
 #include "arithmetic/process.hpp"
 #include "cob/error.hpp"
+#include "geometry/bounds.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/claims_bench.hpp"
 
@@ -102,14 +103,7 @@ std::vector<std::string> Bench::names(std::vector<std::string> all, std::size_t 
 }
 
 double Bench::edge(const Scene& scene, double parts) const {
-    Point low = scene.positions().front(), high = low;
-    for (const Point& p : scene.positions())
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], p[axis]);
-            high[axis] = std::max(high[axis], p[axis]);
-        }
-    const Point size = high - low;
-    return std::max({size.x, size.y, size.z}) / parts;
+    return longest_extent(bounds_of(scene)) / parts;
 }
 
 void Bench::tick() {
@@ -189,48 +183,21 @@ StudyRun Bench::study(const Scene& scene, const StudyReference& reference, Refin
 
 // ---------------------------------------------------------------------------------------------- the pencil
 
-namespace {
-
-std::array<double, 6> bounds_of(const Scene& scene, PolygonId polygon) {
-    const Point first = scene.position(scene.loop(polygon)[0]);
-    std::array<double, 6> bounds{first.x, first.y, first.z, first.x, first.y, first.z};
-    for (const VertexId vertex : scene.loop(polygon))
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double x = scene.position(vertex)[static_cast<int>(axis)];
-            bounds[axis] = std::min(bounds[axis], x);
-            bounds[axis + 3] = std::max(bounds[axis + 3], x);
-        }
-    return bounds;
-}
-
-bool meet(const std::array<double, 6>& a, const std::array<double, 6>& b) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (a[axis] > b[axis + 3] || b[axis] > a[axis + 3]) return false;
-    return true;
-}
-
-}  // namespace
-
 PencilScene pencil_on_desk(const Scene& desk) {
     // 1. The pencil, by its materials.
     std::set<PolygonId> pencil;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, 6> around{infinity, infinity, infinity, -infinity, -infinity, -infinity};
+    Bounds around;
     for (PolygonId id = 0; id < desk.polygon_count(); ++id) {
         const std::string& material = desk.material(id).name;
         if (material != "yellow" && material != "graphite") continue;
         pencil.insert(id);
-        const std::array<double, 6> bounds = bounds_of(desk, id);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            around[axis] = std::min(around[axis], bounds[axis]);
-            around[axis + 3] = std::max(around[axis + 3], bounds[axis + 3]);
-        }
+        around.add(bounds_of(desk, desk.loop(id)));
     }
     if (pencil.empty()) throw InputError("the desk has no pencil: no polygon of material yellow or graphite");
-    const double ground = around[2], width = around[5] - around[2];
+    const double ground = around.low[2], width = around.high[2] - ground;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        around[axis] -= 2 * width;
-        around[axis + 3] += 2 * width;
+        around.low[axis] -= 2 * width;
+        around.high[axis] += 2 * width;
     }
 
     // 2. With it what lies around it, and the lights.
@@ -238,17 +205,18 @@ PencilScene pencil_on_desk(const Scene& desk) {
     PencilScene result;
     std::vector<Scene::Face> faces;
     for (PolygonId id = 0; id < desk.polygon_count(); ++id) {
-        const std::array<double, 6> bounds = bounds_of(desk, id);
-        if (!desk.is_light(id) && !meet(bounds, around)) continue;
-        const bool flat = bounds[2] == bounds[5];
-        if (flat && bounds[2] == ground && pencil.count(id) == 0)
+        const Bounds bounds = bounds_of(desk, desk.loop(id));
+        if (!desk.is_light(id) && !bounds.meets(around)) continue;
+        const bool flat = bounds.low[2] == bounds.high[2];
+        if (flat && bounds.low[2] == ground && pencil.count(id) == 0)
             result.region.polygons.push_back(static_cast<PolygonId>(faces.size()));
         faces.push_back(input.faces[static_cast<std::size_t>(id)]);
     }
     if (result.region.polygons.empty()) throw InputError("the desk's pencil lies on nothing");
     input.faces = std::move(faces);
     result.scene = Scene::build(std::move(input));
-    result.region.bounds = around;
+    result.region.bounds = {around.low[0],  around.low[1],  around.low[2],
+                            around.high[0], around.high[1], around.high[2]};
     result.width = width;
     return result;
 }

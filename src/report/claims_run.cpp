@@ -178,7 +178,7 @@ double fastest_segment(const Scene& scene) {
     BenchSet set{Scene::build(input_of(scene), Scene::Options{true}), nullptr, {}, {}};
     for (const Segment& segment : questions.segments) set.segments["all"].push_back({segment, Visibility::grazing});
     std::vector<BenchRow> rows;
-    bench_embree(set, BenchOptions{3, 2000}, rows);
+    bench_embree(set, BenchOptions{3, 2000, {}}, rows);
     return rows.empty() ? 0 : rows.front().nanoseconds_min;
 }
 

@@ -1,8 +1,7 @@
 #include "report/classify_summary.hpp"
 
 #include "report/omissions_report.hpp"
-
-#include <nlohmann/json.hpp>
+#include "scene/json_text.hpp"
 
 #include <cstdio>
 
@@ -102,7 +101,7 @@ std::string to_json(const ClassifySummary& summary) {
                      {"lists", summary.result.list_bytes},
                      {"tree", summary.tree_bytes},
                      {"peak", summary.peak_bytes}};
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 }  // namespace cob

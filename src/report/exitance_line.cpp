@@ -1,5 +1,7 @@
 #include "report/exitance_line.hpp"
 
+#include "arithmetic/threads.hpp"
+#include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/gnuplot.hpp"
@@ -9,23 +11,38 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace cob::report {
-namespace {
 
-/// The root whose plane is nearest to a point that lies within it, and where in it.
-struct Place {
-    RootId root = -1;
-    std::array<double, 2> at{};
-};
+ExitanceLine::ExitanceLine(const RadiositySolver& solver, const LineOptions& options)
+    : solver_(solver), options_(options), places_(static_cast<std::size_t>(std::max(options.points, 2))) {
+    bool found = false;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        places_[k] = nearest(point(k));
+        found = found || places_[k].root >= 0;
+    }
+    if (!found)
+        throw InputError(
+            "no point of the line lies on a polygon",
+            {solver.mesh().scene().name(), 0,
+             to_text(options.from.x) + " " + to_text(options.from.y) + " " + to_text(options.from.z) + " ...",
+             "draw it along a surface of the scene"});
+}
 
-Place nearest(const RadiositySolver& solver, const Point& point) {
-    const Scene& scene = solver.mesh().scene();
+double ExitanceLine::share(std::size_t k) const {
+    return static_cast<double>(k) / static_cast<double>(places_.size() - 1);
+}
+
+Point ExitanceLine::point(std::size_t k) const {
+    return (1 - share(k)) * options_.from + share(k) * options_.to;
+}
+
+ExitanceLine::Place ExitanceLine::nearest(const Point& point) const {
+    const Scene& scene = solver_.mesh().scene();
     Place place;
     double least = std::numeric_limits<double>::infinity();
-    for (RootId id = 0; id < solver.roots().size(); ++id) {
-        const Root& root = solver.roots()[id];
+    for (RootId id = 0; id < solver_.roots().size(); ++id) {
+        const Root& root = solver_.roots()[id];
         const std::array<double, 2> at = root_coordinates(scene, root, point);
         const double inside = root.corner_count() == 3 ? std::min({at[0], at[1], 1 - at[0] - at[1]})
                                                        : std::min({at[0], at[1], 1 - at[0], 1 - at[1]});
@@ -45,19 +62,16 @@ Place nearest(const RadiositySolver& solver, const Point& point) {
     return place;
 }
 
-}  // namespace
-
-void write_exitance_line(const RadiositySolver& solver, const LineOptions& options, const std::string& base) {
-    const ExitanceField field(solver);
-    const auto count = static_cast<std::size_t>(std::max(options.points, 2));
-    std::vector<Rgb> solved(count), reference(count);
-    const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(count - 1); };
-    const auto point = [&](std::size_t k) { return (1 - share(k)) * options.from + share(k) * options.to; };
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
-        const Place place = nearest(solver, point(k));
-        if (place.root < 0) return;
-        solved[k] = field.at(place.root, place.at[0], place.at[1]);
-        reference[k] = solver.gather(place.root, place.at[0], place.at[1], options.samples);
+void ExitanceLine::write(const std::string& base) const {
+    const ExitanceField field(solver_);
+    std::vector<Rgb> solved(places_.size()), reference(places_.size());
+    on_threads(options_.threads, [&] {
+        tbb::parallel_for(std::size_t(0), places_.size(), [&](std::size_t k) {
+            const auto& [root, at] = places_[k];
+            if (root < 0) return;
+            solved[k] = field.at(root, at[0], at[1]);
+            reference[k] = solver_.gather(root, at[0], at[1], options_.samples);
+        });
     });
 
     std::string text = "share,x,y,z,r,g,b,reference_r,reference_g,reference_b\n";
@@ -66,13 +80,15 @@ void write_exitance_line(const RadiositySolver& solver, const LineOptions& optio
     plot.x_label = "share of the line";
     plot.y_label = "exitance, green, W/m2";
     plot.curves = {{"elements", {}, Curve::Style::lines}, {"at the point itself", {}, Curve::Style::lines}};
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < places_.size(); ++k) {
         const Point at = point(k);
+        const bool known = places_[k].root >= 0;
         text += to_text(share(k));
-        for (const double x : {at.x, at.y, at.z, solved[k][0], solved[k][1], solved[k][2], reference[k][0],
-                               reference[k][1], reference[k][2]})
-            text += "," + to_text(x);
+        for (const double x : {at.x, at.y, at.z}) text += "," + to_text(x);
+        for (const Rgb& rgb : {solved[k], reference[k]})
+            for (const double x : rgb) text += known ? "," + to_text(x) : ",";
         text += "\n";
+        if (!known) continue;
         plot.curves[0].points.push_back({share(k), solved[k][1]});
         plot.curves[1].points.push_back({share(k), reference[k][1]});
     }

@@ -1,8 +1,7 @@
 #include "radiosity/mesh.hpp"
 #include "report/omissions_report.hpp"
 #include "report/solution_files.hpp"
-
-#include <nlohmann/json.hpp>
+#include "scene/json_text.hpp"
 
 #include <sys/resource.h>
 
@@ -14,32 +13,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(Refinement r) {
-    static constexpr const char* names[] = {"none", "gradient", "buffer", "both"};
-    return names[static_cast<std::size_t>(r)];
-}
-const char* name_of(Strength s) {
-    static constexpr const char* names[] = {"exitance", "flux", "paper"};
-    return names[static_cast<std::size_t>(s)];
-}
-const char* name_of(BufferLevels l) {
-    static constexpr const char* names[] = {"element", "polygon", "tree", "auto"};
-    return names[static_cast<std::size_t>(l)];
-}
-
 Json options_json(const RadiosityOptions& o) {
     return {
-        {"refine", name_of(o.refinement)},
+        {"refine", to_text(o.refinement)},
         {"patch_edge", o.patch_edge},
         {"light_edge", o.light_edge},
         {"buffer",
          {{"margin", to_text(o.buffer.margin)},
           {"height", to_text(o.buffer.height)},
           {"minimum_edge", o.buffer.minimum_edge},
-          {"strength", name_of(o.buffer.strength)},
+          {"strength", to_text(o.buffer.strength)},
           {"threshold", o.buffer.threshold},
-          {"levels", name_of(o.buffer.levels)},
-          {"mode", o.buffer.mode == BufferMode::strict ? "strict" : "inherit"}}},
+          {"levels", to_text(o.buffer.levels)},
+          {"mode", to_text(o.buffer.mode)}}},
         {"gradient",
          {{"threshold", o.gradient.threshold}, {"minimum_edge", o.gradient.minimum_edge}, {"floor", o.gradient.floor}}},
         {"samples", o.samples},
@@ -131,7 +117,7 @@ std::string summary_json(const RadiositySolver& solver, const RunFigures& figure
         interactions > 0 ? static_cast<double>(c.skipped_occluded) * (t.interaction + t.shooting) / interactions : 0;
     json["exposure"] = figures.exposure;
     json["peak_memory_bytes"] = peak_memory();
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 std::string summary_text(const RadiositySolver& solver, const RunFigures& figures) {

@@ -1,6 +1,6 @@
 // The runs that a study makes, and what they come to.
-#include "cob/census.hpp"
 #include "cob/study.hpp"
+#include "geometry/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,7 @@
 namespace cob {
 
 std::vector<StudySettings> study_plan(const Scene& scene, StudyLight light, int budgets) {
-    const Census census = take_census(scene);
-    const Point size = census.highest - census.lowest;
-    const double patch = std::max({size.x, size.y, size.z}) / 12;
+    const double patch = longest_extent(bounds_of(scene)) / 12;
     std::vector<StudySettings> plan;
     const auto add = [&](const char* series, Refinement refinement, double edge, double least) -> StudySettings& {
         StudySettings settings;
@@ -85,7 +83,7 @@ std::string reason_of(const StudyBar& bar, const StudyReference& reference, cons
         "of uniform's %.0f %%) on finest elements, where only smaller ones help, %.0f %% in the band on larger "
         "ones, in shadows cast from further than the boxes reach, %.0f %% in smooth light, not what the buffer "
         "looks for",
-        to_text(run->settings.refinement), static_cast<long long>(run->elements), 100 * error(*run),
+        name_in_study(run->settings.refinement), static_cast<long long>(run->elements), 100 * error(*run),
         100 * run->shares.band_fine, in_band, reference.points.size(),
         100 * (bar.uniform.shares.band_fine + bar.uniform.shares.band_coarse), 100 * run->shares.band_coarse,
         100 * (run->shares.smooth_fine + run->shares.smooth_coarse));

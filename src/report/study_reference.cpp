@@ -3,6 +3,7 @@
 #include "cob/error.hpp"
 #include "cob/irradiance.hpp"
 #include "cob/visibility.hpp"
+#include "geometry/bounds.hpp"
 #include "report/study_points.hpp"
 
 #include <algorithm>
@@ -113,14 +114,7 @@ StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t 
     // 1. The roots that receive, and the areas.
     const std::set<PolygonId> left_out = overlapped(scene);
     const std::set<PolygonId> wanted_polygons(region.polygons.begin(), region.polygons.end());
-    Point low = scene.positions().front(), high = low;
-    for (const Point& p : scene.positions())
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], p[axis]);
-            high[axis] = std::max(high[axis], p[axis]);
-        }
-    for (int axis = 0; axis < 3; ++axis)
-        reference.band_width = std::max(reference.band_width, (high[axis] - low[axis]) / 48);
+    reference.band_width = longest_extent(bounds_of(scene)) / 48;
     std::vector<RootId> chosen;
     double receiving = 0, all = 0;
     bool lit = false;

@@ -46,7 +46,7 @@ Table table_of(const std::vector<StudyRun>& runs) {
     std::size_t next_in_band = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const StudyRun& run = runs[i];
-        std::vector<std::string> cells{to_text(run.settings.refinement),
+        std::vector<std::string> cells{name_in_study(run.settings.refinement),
                                        number("%.4g", run.settings.patch_edge),
                                        number("%.4g", run.settings.minimum_edge),
                                        number("%.4g", run.settings.threshold),
@@ -78,8 +78,9 @@ Table bar_table(const std::vector<StudyBar>& bars) {
                                        number("%.2f", 1e3 * bar.uniform.seconds_median)};
         if (bar.reached) {
             const StudySettings& s = bar.reached->settings;
-            cells.push_back(std::string(to_text(s.refinement)) + ", smallest edge " + number("%.4g", s.minimum_edge) +
-                            ", threshold " + number("%.4g", s.threshold) + ", height " + to_text(s.height) +
+            cells.push_back(std::string(name_in_study(s.refinement)) + ", smallest edge " +
+                            number("%.4g", s.minimum_edge) + ", threshold " + number("%.4g", s.threshold) +
+                            ", height " + to_text(s.height) +
                             (s.receiving_points > 1 ? ", " + std::to_string(s.receiving_points) + " points" : ""));
             cells.push_back(std::to_string(bar.reached->elements));
             cells.push_back(number("%.2f", 1e3 * bar.reached->seconds_median));
@@ -106,7 +107,7 @@ bool draw_budgets(const std::vector<StudyRun>& runs, bool in_band, bool against_
     std::vector<std::array<double, 2>> all;
     for (const Refinement refinement : refinements) {
         Curve curve;
-        curve.title = to_text(refinement);
+        curve.title = name_in_study(refinement);
         for (const StudyRun& run : runs)
             if (run.settings.refinement == refinement && (run.band || !in_band))
                 curve.points.push_back({against_time ? run.seconds_median : static_cast<double>(run.elements),
@@ -166,7 +167,7 @@ std::string leaders(const std::vector<StudyRun>& runs) {
         text += std::string(in_band ? "; in the band: "
                                     : "Runs on the front of L2 error against elements, over all points: ");
         for (const Refinement refinement : refinements)
-            text += (refinement == refinements[0] ? "" : ", ") + std::string(to_text(refinement)) + " " +
+            text += (refinement == refinements[0] ? "" : ", ") + std::string(name_in_study(refinement)) + " " +
                     std::to_string(count[static_cast<std::size_t>(refinement)]);
     }
     return text + ".";

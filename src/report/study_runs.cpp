@@ -103,22 +103,12 @@ void measure_errors(const RadiositySolver& solver, const StudyReference& referen
 
 }  // namespace
 
-const char* to_text(Refinement refinement) {
-    switch (refinement) {
-        case Refinement::none:
-            return "uniform";
-        case Refinement::gradient:
-            return "gradient";
-        case Refinement::buffer:
-            return "buffer";
-        case Refinement::both:
-            return "both";
-    }
-    return "";
+const char* name_in_study(Refinement refinement) {
+    return refinement == Refinement::none ? "uniform" : to_text(refinement);
 }
 
 std::string StudySettings::key() const {
-    std::string text = series + "_" + to_text(refinement) + "_patch" + to_text(patch_edge) + "_light" +
+    std::string text = series + "_" + name_in_study(refinement) + "_patch" + to_text(patch_edge) + "_light" +
                        to_text(light_edge) + "_least" + to_text(minimum_edge) + "_threshold" + to_text(threshold) +
                        "_points" + std::to_string(receiving_points) + "_margin" + to_text(margin) + "_height" +
                        to_text(height);
@@ -159,7 +149,7 @@ StudyRun study_run(const Scene& scene, const StudyReference& reference, const St
 
 std::string to_line(const StudyRun& run) {
     const StudySettings& s = run.settings;
-    std::string line = s.series + "," + to_text(s.refinement);
+    std::string line = s.series + "," + name_in_study(s.refinement);
     for (const double value : {s.patch_edge, s.light_edge, s.minimum_edge, s.threshold}) line += "," + to_text(value);
     line += "," + std::to_string(s.receiving_points) + "," + to_text(s.margin) + "," + to_text(s.height);
     for (const std::int64_t count : {run.elements, run.shots, run.segments, run.form_factors, run.buffers,

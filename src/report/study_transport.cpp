@@ -4,6 +4,7 @@
 // four points of i to what of j is seen from there, exactly found and in closed form. At any other point M follows by
 // one more sum of the same kind, so that shadows are as sharp there as they truly are.
 #include "cob/form_factor.hpp"
+#include "geometry/bounds.hpp"
 #include "radiosity/mesh.hpp"
 #include "radiosity/plane_sheets.hpp"
 #include "radiosity/planes.hpp"
@@ -222,10 +223,7 @@ private:
 
 /// The longest edge, of extent / 2^k, that gives so many patches.
 double edge_for(const Scene& scene, const Roots& roots, std::size_t wanted) {
-    double edge = 0;
-    for (const Point& p : scene.positions())
-        for (int axis = 0; axis < 3; ++axis)
-            edge = std::max(edge, std::fabs(p[axis] - scene.positions().front()[axis]));
+    double edge = longest_extent(bounds_of(scene));
     for (int halvings = 0; halvings < 20; ++halvings, edge /= 2) {
         std::size_t count = 0;
         for (const Root& root : roots.all()) count += patches(scene, root, edge).size();

@@ -27,12 +27,7 @@ protected:
     test::ProgramResult answer(const std::string& options = "") const {
         return test::run_program("answer " + set_ + " -o " + out_ + " " + options);
     }
-    std::set<std::string> files() const {
-        std::set<std::string> names;
-        if (std::filesystem::exists(out_))
-            for (const auto& entry : std::filesystem::directory_iterator(out_)) names.insert(entry.path().filename());
-        return names;
-    }
+    std::set<std::string> files() const { return test::files_in(out_); }
     std::string text(const std::string& name) const { return read_file(out_ + "/" + name); }
 
     test::TemporaryFolder folder_;

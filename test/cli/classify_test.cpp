@@ -13,14 +13,9 @@
 namespace cob {
 namespace {
 
-const std::string desk = COB_DATA "/desk.obj";
+using test::files_in;
 
-std::set<std::string> files_in(const std::string& folder) {
-    std::set<std::string> names;
-    if (std::filesystem::exists(folder))
-        for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
-    return names;
-}
+const std::string desk = COB_DATA "/desk.obj";
 
 template <class Row>
 std::vector<Row> read_all(const std::string& folder) {

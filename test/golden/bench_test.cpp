@@ -65,6 +65,22 @@ TEST(Bench, EveryVariantOnEveryKindOfTheShippedSets) {
     for (const char* variant : {"box cgal-epick", "box cgal-epeck"}) EXPECT_GT(kinds[variant].size(), 2u) << variant;
 }
 
+// Ctrl-C ends the work by an exception from the progress.
+TEST(Bench, TellsEveryKindAndCanBeEnded) {
+    const std::string set = std::string(COB_DATA) + "/golden/cornell";
+    std::uint64_t calls = 0;
+    BenchOptions options = quick();
+    options.progress = [&](std::uint64_t done, std::uint64_t) { EXPECT_EQ(done, calls++); };
+    std::uint64_t kinds = 0;
+    for (const BenchRow& row : bench_set(set, options)) kinds += row.kind != "all";
+    EXPECT_GE(calls, kinds);
+    EXPECT_GT(kinds, 10u);
+    options.progress = [&](std::uint64_t done, std::uint64_t) {
+        if (done == 3) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(bench_set(set, options), std::runtime_error);
+}
+
 TEST(Bench, SumsOfSeveralSetsAreThoseOfEach) {
     const std::string golden = std::string(COB_DATA) + "/golden/";
     std::map<std::string, std::uint64_t> questions, wrong;

@@ -1,9 +1,11 @@
 /// \file
-/// A check of options that count.
+/// Checks of numbers that let nothing through that CLI11's own do.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace cob::cli {
@@ -13,6 +15,14 @@ inline CLI::Validator whole_number() {
     const auto check = [](const std::string& text) -> std::string {
         const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
         return digits ? "" : "'" + text + "' is no whole number: write 0 or more";
+    };
+    return {check, ""};
+}
+
+/// No NaN, which is in every range of CLI11, and no infinity.
+inline CLI::Validator finite() {
+    const auto check = [](const std::string& text) -> std::string {
+        return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is no finite number";
     };
     return {check, ""};
 }

@@ -1,0 +1,101 @@
+// What all commands share: bad options are refused before the work, failed work leaves nothing, names of files may be
+// in any encoding, what is skipped is said.
+#include "cob/scene.hpp"
+#include "program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace cob {
+namespace {
+
+using test::run_program;
+
+const std::string figure2 = COB_DATA "/figure2.obj";
+
+// "Bad input gives one line with file, line, value and remedy, and exit code 2; nothing is written by half." NaN lies
+// in every range of CLI11.
+TEST(Commands, NumbersThatAreNoneAreRefused) {
+    const test::TemporaryFolder folder;
+    const char* rows[][2] = {{"render", "--unshot nan"},
+                             {"render", "--exposure nan"},
+                             {"render", "--fov nan"},
+                             {"render", "--edge inf"},
+                             {"render", "--gradient-threshold nan"},
+                             {"render", "--gradient-threshold 0.1,nan,0.1"},
+                             {"render", "--gradient-threshold=-1"},
+                             {"render", "--strength-threshold nan"},
+                             {"render", "--margin nan"},
+                             {"render", "--position nan 0 0"},
+                             {"render", "--line 0 0 0 nan 1 0"},
+                             {"render", "--threads 100000"},
+                             {"study", "--within 0 0 0 nan 1 1"},
+                             {"study", "--threads 100000"}};
+    for (const auto& [command, option] : rows) {
+        const std::string arguments = command + (" " + figure2) + " " + option;
+        const auto run = run_program(arguments + " -o " + folder / "out");
+        const std::string text = run.out + run.error;
+        EXPECT_EQ(run.code, 2) << arguments;
+        EXPECT_NE(text.find(std::string(option).substr(0, std::string(option).find_first_of(" ="))), std::string::npos)
+            << arguments << ": " << text;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << arguments;
+    }
+}
+
+// "an unlit scene" and the like are found after the folder is there.
+TEST(Commands, FailedWorkLeavesNoFolder) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string out = " -o " + folder / "out/in";
+    for (const std::string& arguments :
+         {"study " + folder / "missing.obj", "study " + folder / "dark.obj --picture-shots 0",
+          "study --claims --data " + folder / "missing", "bench " + folder / "missing", "render " + folder / "dark.obj",
+          "render " + figure2 + " --line 100 100 0 101 100 0"}) {
+        const auto run = run_program(arguments + out);
+        EXPECT_EQ(run.code, 2) << arguments << ": " << run.error;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << arguments;
+    }
+}
+
+// Paths are bytes, JSON is UTF-8.
+TEST(Commands, PathsInAnyEncoding) {
+    const test::TemporaryFolder folder;
+    const std::string place = folder / "caf\xe9";
+    create_folder(place);
+    for (const char* ending : {".obj", ".mtl"})
+        std::filesystem::copy(COB_DATA "/figure2" + std::string(ending), place + "/figure2" + ending);
+    const std::string scene = place + "/figure2.obj", out = folder / "out";
+    for (const std::string& arguments :
+         {"classify " + scene + " -o " + out,
+          "render " + scene + " --shots 1 --width 16 --picture-height 16 --antialias 1 -o " + out}) {
+        const auto run = run_program(arguments);
+        ASSERT_EQ(run.code, 0) << arguments << ": " << run.error;
+        const std::string text = read_file(out + "/summary.json");
+        EXPECT_TRUE(nlohmann::json::accept(text));
+        EXPECT_NE(text.find("caf\xef\xbf\xbd/figure2.obj"), std::string::npos);
+    }
+}
+
+// "they are listed": by every command that takes --skip-invalid, and without it the scene is refused.
+TEST(Commands, SkippedPolygonsAreListed) {
+    const test::TemporaryFolder folder;
+    for (const char* ending : {".obj", ".mtl"})
+        std::filesystem::copy(COB_DATA "/figure2" + std::string(ending), folder / ("figure2" + std::string(ending)));
+    const std::string scene = folder / "figure2.obj";
+    const std::size_t valid = read_obj(scene, ReadOptions{}).polygons().size();
+    write_file(scene, read_file(scene) + "f 1 2 1\n");
+    const std::string expected = "cob: skipped polygon " + std::to_string(valid) + " (" + scene;
+    const std::string out = " -o " + folder / "out";
+    for (const std::string& arguments :
+         {"classify " + scene + out, "occlude " + scene + " 0 0 1 0 0 2", "stress --quick --scene " + scene + out,
+          "render " + scene + " --shots 1 --width 16 --picture-height 16 --antialias 1" + out,
+          "study " + scene + " --budgets 1 --points 10 --repeats 1 --picture-shots 0" + out}) {
+        EXPECT_EQ(run_program(arguments).code, 2) << arguments;
+        const auto run = run_program(arguments + " --skip-invalid");
+        EXPECT_EQ(run.code, 0) << arguments << ": " << run.error;
+        EXPECT_EQ(run.error.compare(0, expected.size(), expected), 0) << arguments << ": " << run.error;
+    }
+}
+
+}  // namespace
+}  // namespace cob
