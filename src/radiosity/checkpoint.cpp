@@ -115,7 +115,7 @@ std::string RadiositySolver::State::checkpoint() const {
         out.list(cell.sights);
     }
     for (const CloseObjectBuffer& buffer : root_buffers) out.value(static_cast<std::uint8_t>(buffer.is_built()));
-    for (const double x : {flux_moved, flux_taken, flux_arrived, closure_sum, closure_least, closure_most})
+    for (const double x : {flux_moved, flux_taken, flux_arrived, flux_off, closure_sum, closure_least, closure_most})
         out.value(x);
     out.value(closure_least_patch);
     out.value(closure_most_patch);
@@ -163,7 +163,7 @@ void RadiositySolver::State::resume(const std::string& text) {
         in.list(cells[k].sights);
     }
     for (std::uint8_t& b : root_built) in.value(b);
-    for (double* x : {&flux_moved, &flux_taken, &flux_arrived, &closure_sum, &closure_least, &closure_most})
+    for (double* x : {&flux_moved, &flux_taken, &flux_arrived, &flux_off, &closure_sum, &closure_least, &closure_most})
         in.value(*x);
     in.value(closure_least_patch);
     in.value(closure_most_patch);

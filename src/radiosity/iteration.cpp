@@ -133,6 +133,7 @@ void RadiositySolver::State::bring(const Shot& shot) {
     closure_sum += closure;
     flux_taken += std::fabs(taken);
     flux_arrived += std::fabs(given);
+    flux_off += std::fabs(given - taken);
     if (closure_least_patch < 0 || closure < closure_least) {
         closure_least = closure;
         closure_least_patch = shot.patch;

@@ -201,6 +201,7 @@ EnergyBooks RadiositySolver::State::books() const {
     books.closure_least = closure_least;
     books.closure_most = closure_most;
     books.closure_flux = flux_taken > 0 ? flux_arrived / flux_taken : 0;
+    books.closure_error = flux_taken > 0 ? flux_off / flux_taken : 0;
     books.closure_least_patch = closure_least_patch;
     books.closure_most_patch = closure_most_patch;
     books.moved = flux_arrived > 0 ? flux_moved / flux_arrived : 0;

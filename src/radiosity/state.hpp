@@ -78,6 +78,7 @@ public:
     std::vector<radiosity::NodeId> splits;  ///< In order: the mesh's history.
     Rgb emitted_flux{};
     double flux_taken = 0, flux_arrived = 0;  ///< Sums over shots of what left the shooter, and of what arrived.
+    double flux_off = 0;                      ///< Sum over shots of the difference of the two.
     double flux_moved = 0;                    ///< Sum over channels of corrections.
     double closure_sum = 0, closure_least = 0, closure_most = 0;
     radiosity::NodeId closure_least_patch = -1, closure_most_patch = -1;

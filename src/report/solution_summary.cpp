@@ -103,6 +103,7 @@ std::string summary_json(const RadiositySolver& solver, const RunFigures& figure
                 {"longest_side", std::scalbn(solver.mesh().longest_side(patch), solver.mesh().exponent())}};
     };
     json["closure"] = {{"flux", books.closure_flux},
+                       {"error", books.closure_error},
                        {"mean", books.closure_mean},
                        {"least", books.closure_least},
                        {"most", books.closure_most},
@@ -149,10 +150,11 @@ std::string summary_text(const RadiositySolver& solver, const RunFigures& figure
     text += line("bookkeeping", format("differs by %.2g; subdivision moved %.3g %% of the flux",
                                        number(j["bookkeeping"]["relative_difference"]),
                                        100 * number(j["bookkeeping"]["moved_by_subdivision"])));
-    text += line("closure", format("%.6f of the flux arrived; by shot mean %.6f", number(j["closure"]["flux"]),
-                                   number(j["closure"]["mean"])) +
-                                format(", least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["least"]),
-                                       number(j["closure"]["most"])));
+    text +=
+        line("closure", format("%.6f of the flux arrived, each shot %.4f off; mean %.6f", number(j["closure"]["flux"]),
+                               number(j["closure"]["error"]), number(j["closure"]["mean"])) +
+                            format(", least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["least"]),
+                                   number(j["closure"]["most"])));
     for (const char* which : {"least", "most"}) {
         const Json& of = j["closure"][std::string(which) + "_of"];
         if (!of.is_null())
