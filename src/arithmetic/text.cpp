@@ -1,6 +1,7 @@
-#include "cob/arithmetic.hpp"
+#include "arithmetic/text.hpp"
 
 #include <locale.h>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -23,12 +24,15 @@ bool is_integer(std::string_view text) {
     return true;
 }
 
-Integer to_integer(std::string_view text) {
-    if (text.front() == '+') text.remove_prefix(1);
-    return Integer(std::string(text));
-}
-
 }  // namespace
+
+Integer decimal_integer(std::string_view text) {
+    const bool negative = text.front() == '-';
+    const std::size_t first = text.find_first_of("123456789");
+    if (first == std::string_view::npos) return 0;
+    const Integer value{std::string(text.substr(first))};
+    return negative ? Integer(-value) : value;
+}
 
 std::optional<double> parse_binary64(std::string_view text) {
     const bool negative = !text.empty() && text.front() == '-';
@@ -44,16 +48,12 @@ std::optional<double> parse_binary64(std::string_view text) {
     const char* end = digits.data() + digits.size();
     const auto [stop, error] =
         std::from_chars(digits.data(), end, value, hex ? std::chars_format::hex : std::chars_format::general);
-    if (error == std::errc::invalid_argument || stop != end) {
-        // C writes a hex exponent alone ("0x1p3") as well as a decimal one; everything else is not a number.
-        return std::nullopt;
-    }
+    if (error == std::errc::invalid_argument || stop != end) return std::nullopt;
     if (error == std::errc::result_out_of_range) {
         // from_chars does not say which way; strtod rounds correctly and does. The C locale has no other point.
         static const locale_t c_locale = ::newlocale(LC_ALL_MASK, "C", locale_t{});
         const std::string copy((hex ? "0x" : "") + std::string(digits));
         value = ::strtod_l(copy.c_str(), nullptr, c_locale);
-        if (!std::isfinite(value)) return std::nullopt;
     }
     if (!std::isfinite(value)) return std::nullopt;
     return negative ? -value : value;
@@ -67,9 +67,9 @@ std::optional<Rational> parse_exact(std::string_view text) {
     }
     const std::string_view numerator = text.substr(0, slash), denominator = text.substr(slash + 1);
     if (!is_integer(numerator) || !is_integer(denominator)) return std::nullopt;
-    const Integer q = to_integer(denominator);
+    const Integer q = decimal_integer(denominator);
     if (q <= 0) return std::nullopt;
-    return Rational(to_integer(numerator), q);
+    return Rational(decimal_integer(numerator), q);
 }
 
 std::string to_text(double value) {
@@ -95,36 +95,19 @@ double to_nearest(const Rational& value) {
     // mpq_get_d truncates, so round here: to 53 bits or to the subnormal grid, half to even.
     const int sign = value.sign();
     if (sign == 0) return 0;
-    Integer p = abs(numerator(value));
-    const Integer q = denominator(value);
+    Integer p = abs(numerator(value)), q = denominator(value);
     long exponent = static_cast<long>(msb(p)) - static_cast<long>(msb(q));  // 2^(e-1) < |value| < 2^(e+1)
     if (exponent > 1025) return sign * std::numeric_limits<double>::infinity();
     if (exponent < -1080) return sign * 0.0;
-    long shift = 54 - exponent;      // at least 54 significant bits before rounding
-    if (shift > 1074) shift = 1074;  // never below the subnormal grid
-    Integer scaled_p = p, scaled_q = q;
-    if (shift >= 0)
-        scaled_p <<= static_cast<unsigned long>(shift);
-    else
-        scaled_q <<= static_cast<unsigned long>(-shift);
+    const auto shifted = [](const Integer& n, long bits) { return bits > 0 ? Integer(n << bits) : n; };
+    if (shifted(q, exponent) > shifted(p, -exponent)) --exponent;  // 2^e <= |value|
+    const long shift = std::min(52 - exponent, 1074L);
+    p = shifted(p, shift);
+    q = shifted(q, -shift);
     Integer quotient, remainder;
-    divide_qr(scaled_p, scaled_q, quotient, remainder);
-    // Drop all but 53 bits, with everything below as a sticky remainder.
-    if (quotient != 0) {
-        const long excess = static_cast<long>(msb(quotient)) + 1 - 53;
-        if (excess > 0) {
-            const unsigned long bits = static_cast<unsigned long>(excess);
-            const Integer kept = quotient >> bits;
-            const Integer dropped = quotient - (kept << bits);
-            const Integer half = Integer(1) << (bits - 1);
-            const bool up = dropped > half || (dropped == half && (remainder != 0 || bit_test(kept, 0)));
-            quotient = up ? Integer(kept + 1) : kept;
-            shift -= excess;
-            return sign * std::ldexp(quotient.convert_to<double>(), static_cast<int>(-shift));
-        }
-    }
+    divide_qr(p, q, quotient, remainder);
     const Integer twice = 2 * remainder;
-    if (twice > scaled_q || (twice == scaled_q && bit_test(quotient, 0))) quotient += 1;
+    if (twice > q || (twice == q && bit_test(quotient, 0))) quotient += 1;
     return sign * std::ldexp(quotient.convert_to<double>(), static_cast<int>(-shift));
 }
 

@@ -1,4 +1,5 @@
 // Which polygons are planar in the decimal text of their file, although not with the binary64 numbers nearest to it.
+#include "arithmetic/text.hpp"
 #include "cob/census.hpp"
 #include "cob/files.hpp"
 #include "scene/statements.hpp"
@@ -27,15 +28,11 @@ Rational exact_decimal(std::string_view text) {
     }
     std::string integer;
     for (const char c : digits)
-        if (c != '.' && c != '+') integer += c;
+        if (c != '.') integer += c;
     if (const std::size_t point = digits.find('.'); point != std::string_view::npos)
         exponent -= static_cast<long>(digits.size() - point - 1);
     const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
-    // A leading zero would make the text octal.
-    const bool negative = !integer.empty() && integer.front() == '-';
-    const std::size_t first = integer.find_first_of("123456789");
-    if (first == std::string::npos) return 0;
-    const Integer value((negative ? "-" : "") + integer.substr(first));
+    const Integer value = decimal_integer(integer);
     return exponent < 0 ? Rational(value, power) : Rational(value * power);
 }
 

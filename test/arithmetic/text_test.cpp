@@ -79,6 +79,9 @@ TEST(ParseExact, FractionsAreExact) {
     EXPECT_EQ(parse_exact("1/3"), Rational(1, 3));
     EXPECT_EQ(parse_exact("-6/4"), Rational(-3, 2));
     EXPECT_EQ(parse_exact("0.1"), Rational(0.1));
+    EXPECT_EQ(parse_exact("010/3"), Rational(10, 3));  // decimal, whatever stands in front
+    EXPECT_EQ(parse_exact("-09/012"), Rational(-3, 4));
+    EXPECT_EQ(parse_exact("+00/08"), Rational(0));
     for (const char* text : {"1/0", "1/-2", "1.5/2", "/2", "1/", "1/2/3"}) EXPECT_EQ(parse_exact(text), std::nullopt);
 }
 
