@@ -35,12 +35,16 @@ double nearest_difference(const Point& p, const Point& origin, int axis) {
 double nearest_difference(const ExactPoint& p, const ExactPoint& origin, int axis) {
     return (p.nearest()[axis] - origin.nearest()[axis]) + (p.rest()[axis] - origin.rest()[axis]);
 }
-/// Bounds the terms that nearest_difference() sums, whose roundings are relative to them.
+/// Bounds the terms that nearest_difference() sums, whose roundings are relative to them; a fraction's rest is rounded
+/// relative to itself, however near another's is.
 double magnitude(const Point& p, const Point& origin, int axis) {
     return std::abs(p[axis] - origin[axis]);
 }
 double magnitude(const ExactPoint& p, const ExactPoint& origin, int axis) {
-    return std::abs(p.nearest()[axis] - origin.nearest()[axis]) + std::abs(p.rest()[axis] - origin.rest()[axis]);
+    const double rest = p.rest()[axis], origin_rest = origin.rest()[axis];
+    return std::abs(p.nearest()[axis] - origin.nearest()[axis]) + (p.has_fraction() || origin.has_fraction()
+                                                                       ? std::abs(rest) + std::abs(origin_rest)
+                                                                       : std::abs(rest - origin_rest));
 }
 // A difference is wrong by at most this many unit roundoffs of magnitude(): one rounding; or two for the parts,
 // one for their sum, and one in rest() itself where a fraction stands behind it, with a fifth for slack.

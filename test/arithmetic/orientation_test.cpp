@@ -81,5 +81,17 @@ TEST(Orientation, TakesExactPointsOfAnyProvenance) {
     EXPECT_EQ(seen[Stage::rational].size(), 3u);
 }
 
+// What binary64 holds of a fraction is rounded relative to the fraction, not to how near another one is.
+TEST(Orientation, FractionsNearerThanAnUlpAreExact) {
+    for (int k = 1; k < 200; ++k) {
+        const Rational third(1, 3), step = Rational(k, 21) * Rational(0x1p-108);
+        const RationalPoint a{0, 0, third}, b{1, 0, third}, c{0, 1, third + step}, d{1, 2, third + 2 * step};
+        EXPECT_EQ(orientation(ExactPoint(a), ExactPoint(b), ExactPoint(c), ExactPoint(d)), Sign::zero) << k;
+        EXPECT_EQ(orientation(ExactPoint(a), ExactPoint(b), ExactPoint(c), ExactPoint(d + (d - c))),
+                  orientation(a, b, c, d + (d - c)))
+            << k;
+    }
+}
+
 }  // namespace
 }  // namespace cob
