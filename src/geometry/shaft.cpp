@@ -37,7 +37,9 @@ Shaft::Shaft(const ConvexPatch& a, const ConvexPatch& b) {
     const ExactPoint *first = points_.data(), *second = first + a.corners.size();
     const auto add_facets = [this](const ExactPoint* one, std::size_t n, const ExactPoint* other, std::size_t m) {
         if (n < 3) return;
-        add_facet(one[0], one[1], one[2]);
+        // Its first corners may be on one line; the first facet found is that of the plane.
+        const std::size_t before = facets_.size();
+        for (std::size_t k = 2; k < n && facets_.size() == before; ++k) add_facet(one[0], one[1], one[k]);
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < m; ++j) add_facet(one[i], one[(i + 1) % n], other[j]);
     };

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cob {
@@ -42,6 +43,24 @@ TEST(PatchVisibility, VisibleIsExact) {
     EXPECT_NE(sliver.relation, PatchRelation::visible);
     EXPECT_NE(sliver.relation, PatchRelation::hidden);
     EXPECT_TRUE(sliver.clear.has_value());
+}
+
+// SPEC 2 allows straight angles: where the corners of a patch begin does not matter.
+TEST(PatchVisibility, VisibleWhereverTheLoopBegins) {
+    const auto tilted = [](std::vector<Point> corners) {
+        for (Point& corner : corners) corner.z += corner.x + corner.y;
+        return corners;
+    };
+    const std::vector<Point> floor{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    for (std::size_t first = 0; first < floor.size(); ++first) {
+        std::vector<Point> loop = floor;
+        std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
+        const RoomBuilder room = RoomBuilder()
+                                     .polygon(tilted(loop))
+                                     .polygon(tilted({{0, 0, 2}, {0, 2, 2}, {2, 2, 2}, {2, 0, 2}}))
+                                     .polygon(tilted({{1, 1, -0.01}, {1, 0.5, -1}, {1, 1.5, -1}}));  // behind the floor
+        EXPECT_EQ(between(room).relation, PatchRelation::visible) << first;
+    }
 }
 
 // "hidden: some one polygon lies across every segment"
