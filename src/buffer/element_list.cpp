@@ -86,7 +86,7 @@ ElementList::ElementList(const Scene& scene, const Roots& roots, const Meshing& 
     for (const Root& root : roots.all()) {
         const auto cut = cob::patches(scene, root, meshing.edge);
         patches_.insert(patches_.end(), cut.begin(), cut.end());
-        if (size() > most_elements)
+        if (patches_.size() > most_elements >> (2 * meshing.level))
             throw InputError("more than 2^40 elements", {"", 0, "", "choose a longer edge or a lower level"});
     }
 }
