@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +21,6 @@ public:
 
     void write(std::string_view text);
     void commit();
-    const std::string& path() const { return path_; }
 
 private:
     void fail(const char* what);
@@ -47,6 +45,9 @@ private:
 void write_file(const std::string& path, std::string_view text);
 /// Creates a folder and its parents; an existing one is fine.
 void create_folder(const std::string& path);
+/// False also where that cannot be told: of a name that is too long, or behind links in a circle.
+bool exists(const std::string& path);
+bool is_folder(const std::string& path);
 /// The bytes of a file. Throws InputError where it cannot be read.
 std::string read_file(const std::string& path);
 

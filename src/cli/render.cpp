@@ -132,8 +132,7 @@ void run(const Arguments& arguments) {
 
     RadiositySolver solver(scene, solver_options(arguments));
     const std::optional<report::ExitanceLine> line = line_of(solver, arguments);
-    if (!arguments.checkpoint.empty() && std::filesystem::exists(arguments.checkpoint))
-        solver.resume(read_file(arguments.checkpoint));
+    if (!arguments.checkpoint.empty() && exists(arguments.checkpoint)) solver.resume(read_file(arguments.checkpoint));
 
     // The run: one shot after the other. Ctrl-C ends it after the current one, and what there is is written.
     const Progress progress = terminal_progress("unshot flux shot");

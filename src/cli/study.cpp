@@ -72,7 +72,7 @@ struct StudyCommand {
         for (const StudySettings& settings : plan) {
             const std::string file = runs + "/" + settings.key() + ".csv";
             std::optional<StudyRun> run;
-            if (std::filesystem::exists(file)) run = study_run_from_line(read_file(file), settings);
+            if (exists(file)) run = study_run_from_line(read_file(file), settings);
             if (!run) {
                 run = study_run(read_scene, results.reference, settings, repeats, threads, alive);
                 write_file(file, to_line(*run));

@@ -4,8 +4,6 @@
 #include "cob/irradiance_table.hpp"
 #include "cob/manifest.hpp"
 
-#include <filesystem>
-
 namespace cob {
 
 void refuse_unknown_polygon(const Scene& scene, PolygonId polygon) {
@@ -21,7 +19,7 @@ namespace {
 /// A set made with --skip-invalid says so: its polygons that SPEC 2 refuses keep their numbers.
 bool made_with_invalid(const std::string& set) {
     const std::string path = set + "/manifest.json";
-    if (!std::filesystem::exists(path)) return false;
+    if (!exists(path)) return false;
     const Manifest manifest = read_manifest(path);
     const auto found = manifest.parameters.find("skip_invalid");
     return found != manifest.parameters.end() && found->second == "true";
@@ -35,7 +33,7 @@ AnswerSummary answer_set(const std::string& set, const std::string& folder, cons
     const Scene scene = read_obj(set + "/scene.obj", read);
 
     AnswerSummary summary;
-    const auto has = [&](const char* table) { return std::filesystem::exists(set + "/" + table); };
+    const auto has = [&](const char* table) { return exists(set + "/" + table); };
     summary.has_boxes = has(table_name<BoxRow>());
     summary.has_segments = has(table_name<SegmentRow>());
     summary.has_points = has(table_name<PointRow>());

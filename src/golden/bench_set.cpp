@@ -1,13 +1,13 @@
 #include "golden/bench_set.hpp"
 
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 #include "cob/manifest.hpp"
 #include "cob/tables.hpp"
 #include "cob/verify/recorder.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 
 namespace cob {
 
@@ -64,8 +64,8 @@ BenchSet read_bench_set(const std::string& folder, const BenchOptions& options) 
     BenchSet set{read_obj(folder + "/scene.obj", {true, false}), {}, {}, {}};
     set.candidates = make_candidates(set.scene, Source::cgal);
     try {
-        if (std::filesystem::exists(folder + "/boxes.csv")) read_boxes(folder, options, set);
-        if (std::filesystem::exists(folder + "/segments.csv")) read_segments(folder, options, set);
+        if (exists(folder + "/boxes.csv")) read_boxes(folder, options, set);
+        if (exists(folder + "/segments.csv")) read_segments(folder, options, set);
     } catch (const verify::Error& error) {
         throw InputError(error.what());
     }

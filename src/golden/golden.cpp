@@ -117,7 +117,7 @@ void merge(const Shards& shards, std::uint64_t count, const std::string& folder,
 /// Whether the folder holds the whole set already. Throws InputError where it holds another.
 bool finished_before(const std::string& folder, const GoldenParameters& parameters, const SceneText& text) {
     const std::string path = folder + "/manifest.json";
-    if (!std::filesystem::exists(path)) return false;
+    if (!exists(path)) return false;
     const Manifest manifest = read_manifest(path);
     const auto scene = manifest.files.find("scene.obj"), materials = manifest.files.find("scene.mtl");
     if (manifest.parameters != to_text(parameters) || scene == manifest.files.end() ||

@@ -1,12 +1,12 @@
 #include "golden/line_reader.hpp"
 
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 
 namespace cob {
@@ -18,7 +18,7 @@ constexpr std::size_t longest_line = std::size_t{1} << 26;  // a guard against f
 }  // namespace
 
 LineReader::LineReader(std::string path) : path_(std::move(path)), block_(block_size) {
-    const bool folder = std::filesystem::is_directory(path_);
+    const bool folder = is_folder(path_);
     if (!folder) file_.reset(std::fopen(path_.c_str(), "rb"));
     if (!file_)
         throw InputError("cannot open table",

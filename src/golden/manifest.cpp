@@ -34,7 +34,7 @@ ManifestFile describe_file(const std::string& path) {
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    const bool folder = std::filesystem::is_directory(path);
+    const bool folder = is_folder(path);
     const std::unique_ptr<std::FILE, Close> file(folder ? nullptr : std::fopen(path.c_str(), "rb"));
     if (!file)
         throw InputError("cannot open file",
@@ -53,7 +53,7 @@ ManifestFile describe_file(const std::string& path) {
 
 Manifest read_set_manifest(const std::string& folder) {
     const std::string path = (std::filesystem::path(folder) / "manifest.json").string();
-    if (!std::filesystem::exists(path))
+    if (!exists(path))
         throw InputError("no golden set, manifest.json is missing",
                          {folder, 0, "", "name the folder of a set that `cob golden` has finished"});
     return read_manifest(path);
@@ -95,7 +95,7 @@ void write_manifest(const std::string& path, const Manifest& manifest) {
 void check_files(const std::string& folder, const Manifest& manifest) {
     for (const auto& [name, expected] : manifest.files) {
         const std::string path = (std::filesystem::path(folder) / name).string();
-        if (!std::filesystem::exists(path)) refuse(path, "file of the set is missing", "");
+        if (!exists(path)) refuse(path, "file of the set is missing", "");
         const ManifestFile found = describe_file(path);
         if (found.bytes != expected.bytes)
             refuse(path, "size differs from the manifest's " + std::to_string(expected.bytes),

@@ -42,7 +42,7 @@ public:
         std::error_code error;
         fs::rename(temporary_, path_, error);
         // Another process may have finished the same shard meanwhile: with the same bytes.
-        if (error && !fs::exists(path_ + "/" + manifest_name))
+        if (error && !exists(path_ + "/" + manifest_name))
             throw InputError("cannot write",
                              {path_, 0, error.message(), "choose a folder that is writable and has room"});
     }
@@ -100,8 +100,8 @@ std::string Shards::path(std::uint64_t shard) const {
 
 bool Shards::has(std::uint64_t shard) const {
     const std::string folder = path(shard);
-    if (!fs::exists(folder)) return false;
-    if (!fs::exists(folder + "/" + manifest_name)) refuse_damaged(folder, "it has no manifest");
+    if (!exists(folder)) return false;
+    if (!exists(folder + "/" + manifest_name)) refuse_damaged(folder, "it has no manifest");
     const Manifest manifest = read_manifest(folder + "/" + manifest_name);
     if (manifest.parameters != identity_) {
         std::string differs;
@@ -141,7 +141,7 @@ void Shards::put(std::uint64_t shard, const ShardTables& tables,
 void Shards::take_from(const std::string& set_folder, std::uint64_t count) const {
     Shards other = *this;
     other.folder_ = set_folder + "/shards";
-    if (!fs::is_directory(other.folder_))
+    if (!is_folder(other.folder_))
         throw InputError("no shards to merge", {other.folder_, 0, "", "name the -o folder of a --shard run"});
     for (std::uint64_t shard = 0; shard < count; ++shard) {
         if (has(shard) || !other.has(shard)) continue;
@@ -167,7 +167,7 @@ std::optional<ManifestFile> Shards::merge(const std::string& table, const std::s
     std::optional<DescribedFile> out;
     for (std::uint64_t shard = 0; shard < count; ++shard) {
         const std::string part = path(shard) + "/" + table;
-        if (!fs::exists(part)) continue;
+        if (!exists(part)) continue;
         if (!out) out.emplace(to).write(header + "\n");
         append_file(*out, part);
     }

@@ -1,16 +1,16 @@
 #include "cob/golden.hpp"
 
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 #include "cob/manifest.hpp"
 #include "cob/verify/compare.hpp"
 
-#include <filesystem>
 #include <future>
 
 namespace cob {
 
 verify::Report verify_answers(const std::string& set, const std::string& answers, const verify::Options& options) {
-    if (!std::filesystem::is_directory(answers))
+    if (!is_folder(answers))
         throw InputError("no such folder", {answers, 0, "", "name the folder of the answer tables"});
     try {
         // Reading, hashing and comparing go side by side: none of them needs the others.

@@ -84,7 +84,7 @@ Camera read_view(const std::string& path) {
 std::optional<std::string> view_beside(const std::string& scene_path) {
     std::filesystem::path path(scene_path);
     path.replace_extension(".view");
-    if (!std::filesystem::exists(path)) return std::nullopt;
+    if (!exists(path)) return std::nullopt;
     return path.string();
 }
 

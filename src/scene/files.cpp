@@ -68,7 +68,7 @@ void OutputFile::fail(const char* what) {
 
 OutputFolder::OutputFolder(const std::string& path) {
     const std::filesystem::path whole = std::filesystem::path(path).lexically_normal();
-    for (std::filesystem::path p = whole; !p.empty() && !std::filesystem::exists(p); p = p.parent_path())
+    for (std::filesystem::path p = whole; !p.empty() && !exists(p.string()); p = p.parent_path())
         created_.push_back(p.string());
     create_folder(path);
 }
@@ -87,16 +87,26 @@ void write_file(const std::string& path, std::string_view text) {
 void create_folder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
-    if (error || !std::filesystem::is_directory(path))
-        throw InputError("cannot create folder", {path, 0, error ? error.message() : "is a file", "choose another"});
+    if (error) throw InputError("cannot create folder", {path, 0, error.message(), "choose another"});
+    if (!is_folder(path)) throw InputError("cannot create folder", {path, 0, "is a file", "choose another"});
+}
+
+bool exists(const std::string& path) {
+    std::error_code unknown;
+    return std::filesystem::exists(path, unknown);
+}
+
+bool is_folder(const std::string& path) {
+    std::error_code unknown;
+    return std::filesystem::is_directory(path, unknown);
 }
 
 std::string read_file(const std::string& path) {
-    std::FILE* file = std::filesystem::is_directory(path) ? nullptr : std::fopen(path.c_str(), "rb");
+    const bool folder = is_folder(path);
+    std::FILE* file = folder ? nullptr : std::fopen(path.c_str(), "rb");
     if (!file)
-        throw InputError(
-            "cannot open file",
-            {path, 0, std::filesystem::is_directory(path) ? "is a folder" : std::strerror(errno), "check the path"});
+        throw InputError("cannot open file",
+                         {path, 0, folder ? "is a folder" : std::strerror(errno), "check the path"});
     std::string text;
     char block[1 << 16];
     for (std::size_t n; (n = std::fread(block, 1, sizeof block, file)) > 0;) text.append(block, n);

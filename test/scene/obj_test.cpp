@@ -1,5 +1,6 @@
 // The reader of OBJ and MTL: what it takes, what it refuses and where it says so (SPEC sections 1 and 2).
 #include "cob/error.hpp"
+#include "cob/files.hpp"
 #include "cob/scene.hpp"
 #include "temporary_folder.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -223,6 +225,10 @@ TEST_F(ObjFile, RefusesImpossibleMaterials) {
 TEST_F(ObjFile, RefusesWhatIsNoFile) {
     EXPECT_THROW(read_obj(path("gone.obj"), {}), InputError);
     EXPECT_THROW(read_obj(folder_.path(), {}), InputError);
+    EXPECT_THROW(read_obj(path(std::string(300, 'x')), {}), InputError);
+    std::filesystem::create_symlink("circle", path("circle"));
+    EXPECT_THROW(read_obj(path("circle"), {}), InputError);
+    EXPECT_THROW(create_folder(path("circle/below")), InputError);
     const Scene scene = read("mtllib . .. / /dev/zero\n");
     EXPECT_EQ(scene.polygon_count(), 0);
     EXPECT_EQ(report_.warnings.size(), 4u);
