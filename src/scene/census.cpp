@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 
 namespace cob {
@@ -68,14 +67,16 @@ void describe_polygons(const Scene& scene, Census& census) {
 void count_shared_edges(const EdgeTable& table, Census& census) {
     for (std::size_t edge = 0; edge < table.edge_count(); ++edge) {
         const auto sides = table.sides_of(edge);
-        std::set<PolygonId> polygons;
-        bool bridge = false;
-        for (const EdgeTable::Side& side : sides) bridge = !polygons.insert(side.polygon).second || bridge;
-        if (polygons.size() >= 2) ++census.shared_edges;
-        if (polygons.size() >= 3) ++census.crowded_edges;
-        if (bridge)
-            for (std::size_t k = 1; k < sides.size(); ++k)
-                if (sides[k].polygon == sides[k - 1].polygon) census.with_bridges.push_back(sides[k].polygon);
+        // A polygon's sides follow each other.
+        std::size_t polygons = 0;
+        for (std::size_t k = 0, next; k < sides.size(); k = next, ++polygons) {
+            bool forward = false, backward = false;
+            for (next = k; next < sides.size() && sides[next].polygon == sides[k].polygon; ++next)
+                (sides[next].forward ? forward : backward) = true;
+            if (forward && backward) census.with_bridges.push_back(sides[k].polygon);
+        }
+        if (polygons >= 2) ++census.shared_edges;
+        if (polygons >= 3) ++census.crowded_edges;
     }
     std::sort(census.with_bridges.begin(), census.with_bridges.end());
     census.with_bridges.erase(std::unique(census.with_bridges.begin(), census.with_bridges.end()),

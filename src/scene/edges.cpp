@@ -39,7 +39,7 @@ EdgeTable::EdgeTable(const Scene& scene) : scene_(&scene) {
 
     // All corners and sides, sorted by where they are.
     std::vector<std::pair<std::uint32_t, PolygonId>> corners;
-    std::vector<std::tuple<std::uint32_t, std::uint32_t, PolygonId, std::uint32_t>> sides;
+    std::vector<std::tuple<std::uint32_t, std::uint32_t, PolygonId, std::uint32_t, bool>> sides;
     for (PolygonId id = 0; id < scene.polygon_count(); ++id) {
         if (!scene.polygon(id).valid) continue;
         const auto loop = scene.loop(id);
@@ -48,7 +48,7 @@ EdgeTable::EdgeTable(const Scene& scene) : scene_(&scene) {
             const std::uint32_t a = position_of[static_cast<std::size_t>(loop[k])];
             const std::uint32_t b = position_of[static_cast<std::size_t>(loop[k + 1 == count ? 0 : k + 1])];
             corners.emplace_back(a, id);
-            sides.emplace_back(std::min(a, b), std::max(a, b), id, k);
+            sides.emplace_back(std::min(a, b), std::max(a, b), id, k, a < b);
         }
     }
     std::sort(corners.begin(), corners.end());
@@ -62,11 +62,11 @@ EdgeTable::EdgeTable(const Scene& scene) : scene_(&scene) {
     }
     for (std::size_t k = 0; k < vertices_.size(); ++k) first_polygon_[k + 1] += first_polygon_[k];
 
-    for (const auto& [from, to, polygon, number] : sides) {
+    for (const auto& [from, to, polygon, number, forward] : sides) {
         if (edges_.empty() || edges_.back().from != from || edges_.back().to != to)
             edges_.push_back({from, to, sides_.size(), 0});
         ++edges_.back().side_count;
-        sides_.push_back({polygon, number});
+        sides_.push_back({polygon, number, forward});
     }
 }
 

@@ -16,6 +16,7 @@ public:
     struct Side {
         PolygonId polygon = no_polygon;
         std::uint32_t number = 0;
+        bool forward = true;  ///< Runs from the edge's `from` to its `to`.
     };
 
     /// The scene must outlive it.

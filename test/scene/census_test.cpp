@@ -186,6 +186,14 @@ TEST(Census, NamesWhatIsSpecial) {
     EXPECT_EQ(opposite, 6u);  // 2 lies behind a piece of 4, too
 }
 
+// A bridge is a side "run in both directions"; a loop run twice has every side twice in one.
+TEST(Census, ALoopRunTwiceHasNoBridges) {
+    const Scene scene = build({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 0, 1, 2, 3}});
+    const Census census = take_census(scene);
+    EXPECT_EQ(census.valid, 1u);
+    EXPECT_TRUE(census.with_bridges.empty());
+}
+
 // "planar as decimal text but not as binary64": the plane x + y + z = 0.3, whose corners are no binary64 numbers.
 TEST(Census, FindsWhatIsPlanarAsWritten) {
     const test::TemporaryFolder folder;
