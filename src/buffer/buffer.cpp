@@ -23,22 +23,11 @@ BufferBuilder::BufferBuilder(const Scene& scene, const Roots& roots, const Candi
 BufferBuilder::~BufferBuilder() = default;
 
 CloseObjectBuffer BufferBuilder::build(const Element& element, BufferStatistics* statistics) {
-    const Box box(box_question(scene_, roots_[element.root], element, options_.margin, options_.height));
-    BoxClassifier classifier(scene_, options_.arithmetic, options_.all_lights);
-    Classification found;
-    classifier.from_scene(box, source_, found);
-    if (statistics != nullptr) {
-        ++statistics->built[static_cast<std::size_t>(found.state)];
-        ++statistics->from_scene;
-        statistics->tested += found.tested;
-        statistics->light_tests += classifier.light_tests();
-        statistics->predicates += classifier.counters();
-    }
-    return keep(found);
+    return build(element, CloseObjectBuffer{}, statistics);
 }
 
 CloseObjectBuffer BufferBuilder::build(const Element& element, CloseObjectBuffer parent, BufferStatistics* statistics) {
-    // Where the parent decides: boxes nest, so around an empty one nothing is close to its elements either.
+    // 1. Where the parent decides: boxes nest, so around an empty one nothing is close to its elements either.
     const bool occluded = parent.state() == BufferState::occluded;
     if (parent.state() == BufferState::empty || (occluded && options_.mode == BufferMode::inherit)) {
         if (statistics != nullptr) {
@@ -47,20 +36,19 @@ CloseObjectBuffer BufferBuilder::build(const Element& element, CloseObjectBuffer
         }
         return parent;
     }
-    if (parent.state() != BufferState::close) return build(element, statistics);
 
-    // From the parent's list, unless it is long.
+    // 2. From the parent's list, or from the whole scene where it has none or a long one.
     const Box box(box_question(scene_, roots_[element.root], element, options_.margin, options_.height));
     BoxClassifier classifier(scene_, options_.arithmetic, options_.all_lights);
     Classification found;
-    const bool from_scene = polygons(parent).size() > options_.longest_list;
-    if (from_scene)
-        classifier.from_scene(box, source_, found);
-    else
+    const bool listed = parent.state() == BufferState::close && polygons(parent).size() <= options_.longest_list;
+    if (listed)
         classifier.among(box, polygons(parent), found);
+    else
+        classifier.from_scene(box, source_, found);
     if (statistics != nullptr) {
         ++statistics->built[static_cast<std::size_t>(found.state)];
-        statistics->from_scene += from_scene;
+        statistics->from_scene += listed ? 0 : 1;
         statistics->tested += found.tested;
         statistics->light_tests += classifier.light_tests();
         statistics->predicates += classifier.counters();

@@ -6,10 +6,6 @@
 
 namespace cob {
 
-BufferBuilder::Pool::~Pool() {
-    for (auto& chunk : chunks_) delete[] chunk.load();
-}
-
 std::uint32_t BufferBuilder::Pool::allocate(std::uint64_t words) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::uint64_t left = chunk_words - next_ % chunk_words;
@@ -18,8 +14,10 @@ std::uint32_t BufferBuilder::Pool::allocate(std::uint64_t words) {
     if (last >= chunk_count)
         throw InputError("lists of close polygons exceed 4 GiB", {"", 0, "", "use fewer elements or smaller boxes"});
     // The rest of a long list's last chunk stays unused: the next list begins a chunk of its own.
-    if (chunks_[first].load() == nullptr)
-        chunks_[first].store(new std::uint32_t[std::max<std::uint64_t>(words, chunk_words)]);
+    if (chunks_[first].load() == nullptr) {
+        memory_.push_back(std::make_unique<std::uint32_t[]>(std::max<std::uint64_t>(words, chunk_words)));
+        chunks_[first].store(memory_.back().get());
+    }
     const auto place = static_cast<std::uint32_t>(next_);
     next_ = first == last ? next_ + words : (last + 1) * chunk_words;
     words_ += words;

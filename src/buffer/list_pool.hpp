@@ -6,7 +6,9 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <mutex>
+#include <vector>
 
 namespace cob {
 
@@ -15,11 +17,6 @@ namespace cob {
 /// worth of chunks at once, so that every list is contiguous and never moves.
 class BufferBuilder::Pool {
 public:
-    Pool() = default;
-    ~Pool();
-    Pool(const Pool&) = delete;
-    Pool& operator=(const Pool&) = delete;
-
     /// The place of the list; 0 for the empty one. Throws InputError when 4 GiB are full.
     std::uint32_t store(View<PolygonId> list);
     View<PolygonId> list(std::uint32_t place) const;
@@ -32,9 +29,10 @@ private:
 
     std::uint32_t allocate(std::uint64_t words);
 
-    std::array<std::atomic<std::uint32_t*>, chunk_count> chunks_{};
+    std::array<std::atomic<std::uint32_t*>, chunk_count> chunks_{};  ///< Read without the mutex.
     std::mutex mutex_;
-    std::uint64_t next_ = 1;  ///< First free place; 0 is the empty list.
+    std::vector<std::unique_ptr<std::uint32_t[]>> memory_;  ///< Of the chunks.
+    std::uint64_t next_ = 1;                                ///< First free place; 0 is the empty list.
     std::atomic<std::uint64_t> words_{0};
 };
 
