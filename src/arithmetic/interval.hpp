@@ -64,9 +64,6 @@ public:
         const bool zero = a.low_ <= 0 && a.high_ >= 0;
         return {zero ? 0 : std::max(0.0, down(std::min(p, q))), up(std::max(p, q))};
     }
-    friend Interval hull(const Interval& a, const Interval& b) {
-        return {std::min(a.low_, b.low_), std::max(a.high_, b.high_)};
-    }
     /// At least the distance of any of its numbers from zero.
     double magnitude() const { return std::max(std::abs(low_), std::abs(high_)); }
     double middle() const { return low_ + (high_ - low_) / 2; }

@@ -32,7 +32,7 @@ Vector3<double> normalised_exponent(const Vector3<double>& v) {
     return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
 }
 
-/// The view along the coordinate axis where n is largest.
+/// The coordinate axis along which n is largest.
 int largest_axis(const Vector3<double>& n) {
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
@@ -43,7 +43,7 @@ int largest_axis(const Vector3<double>& n) {
 bool proven_valid(const BoxQuestion& question, const Vector3<double>& rough_normal) {
     const auto& c = question.corners.points;
     const int count = question.corners.count;
-    if ((count != 3 && count != 4) || question.margin < 0 || question.height <= 0) return false;
+    if (question.margin < 0 || question.height <= 0) return false;
     if (question.u.nearest() == Point{}) return false;
     if (count == 4 && orientation(c[0], c[1], c[2], c[3]) != Sign::zero) return false;
     // Convex: seen along some axis, every turn is strict and to one side.
@@ -60,8 +60,8 @@ bool proven_valid(const BoxQuestion& question, const Vector3<double>& rough_norm
 Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
     const Corners& corners = question.corners;
     if (corners.count != 3 && corners.count != 4) exact();
-    const double infinity = DBL_MAX;
-    bounds = {-infinity, -infinity, -infinity, infinity, infinity, infinity};
+    constexpr double beyond = DBL_MAX;
+    bounds = {-beyond, -beyond, -beyond, beyond, beyond, beyond};
 
     // 1. Corners relative to the origin, which is that of ExactBox, and a normal.
     const Point& near = corners.points[0].nearest();
@@ -123,7 +123,7 @@ Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
         }
     }
     const double corner_error = coordinate_error * corner_size;
-    double shortest = infinity, box_error = corner_error;
+    double shortest = beyond, box_error = corner_error;
     for (int axis = 0; axis < 2; ++axis) {
         const double length = frame.high[axis] - frame.low[axis];
         frame.low[axis] -= margin * length;
@@ -142,7 +142,7 @@ Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
     // 4. Bounds in space, padded by what the coordinates may be wrong.
     const double pad = 8 * error * size / scale;
     for (int axis = 0; axis < 3; ++axis) {
-        double least = infinity, greatest = -infinity;
+        double least = beyond, greatest = -beyond;
         for (int corner = 0; corner < 8; ++corner) {
             const double offset = (corner & 1 ? frame.high.x : frame.low.x) * u[axis] +
                                   (corner & 2 ? frame.high.y : frame.low.y) * w[axis] +
@@ -150,8 +150,8 @@ Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
             least = std::min(least, offset / scale);
             greatest = std::max(greatest, offset / scale);
         }
-        bounds[axis] = std::nextafter(origin[axis] + (least - pad), -infinity);
-        bounds[axis + 3] = std::nextafter(origin[axis] + (greatest + pad), infinity);
+        bounds[axis] = std::nextafter(origin[axis] + (least - pad), -beyond);
+        bounds[axis + 3] = std::nextafter(origin[axis] + (greatest + pad), beyond);
     }
 }
 

@@ -61,7 +61,7 @@ struct Pair {
 };
 
 /// An integer times 2^exponent as the nearest binary64 number, half to even, and the rest; nothing where the rest has
-/// more bits than one.
+/// more bits than one such number.
 std::optional<Pair> split_in_two(DoubleLimb magnitude, bool negative, int exponent) {
     constexpr int bits = std::numeric_limits<double>::digits;
     const double sign = negative ? -1 : 1;

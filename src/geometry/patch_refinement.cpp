@@ -7,7 +7,7 @@
 namespace cob {
 namespace {
 
-/// Approximate squared diameter: it chooses what to cut, nothing else.
+/// About the greatest difference of coordinates: it chooses what to cut, nothing else.
 double size_of(const ConvexPatch& patch) {
     double size = 0;
     for (const ExactPoint& p : patch.corners)
@@ -62,14 +62,14 @@ std::vector<ConvexPatch> triangles_of(const ConvexPolygon& polygon) {
     return triangles;
 }
 
-Refinement refine(const Scene& scene, std::vector<PatchPair> pairs,
-                  const std::function<Range(const PatchPair&, const PatchPair&)>& measure,
-                  const std::function<void(const PatchPair&, PairState)>& decided, const RefinementOptions& options) {
+RefinedPairs refine(const Scene& scene, std::vector<PatchPair> pairs,
+                    const std::function<Range(const PatchPair&, const PatchPair&)>& measure,
+                    const std::function<void(const PatchPair&, PairState)>& decided, const RefinementOptions& options) {
     // Sums run upwards or downwards by more than they are rounded.
     constexpr double up = 1 + 0x1p-50, down = 1 - 0x1p-50;
     const auto start = std::chrono::steady_clock::now();
     const auto smaller = [](const PatchPair& p, const PatchPair& q) { return p.measure.high < q.measure.high; };
-    Refinement result;
+    RefinedPairs result;
     std::vector<PatchPair> open;
     double width = 0;
     const auto look = [&](PatchPair pair) {

@@ -35,7 +35,7 @@ struct RefinementOptions {
 };
 
 /// What is known about refined pairs.
-struct Refinement {
+struct RefinedPairs {
     Range clear;      ///< Sum of the measures of the pairs that are clear.
     double open = 0;  ///< Sum of the upper measures of those that are not decided.
     std::uint64_t pairs = 0;
@@ -43,9 +43,9 @@ struct Refinement {
 
 /// Refines the pairs, those that measure most first. `measure` gives the range of a part of a pair, and `decided`
 /// is told each pair that has become clear or blocked, and each that is looked at and is not; it may be empty.
-Refinement refine(const Scene& scene, std::vector<PatchPair> pairs,
-                  const std::function<Range(const PatchPair& part, const PatchPair& whole)>& measure,
-                  const std::function<void(const PatchPair&, PairState)>& decided, const RefinementOptions& options);
+RefinedPairs refine(const Scene& scene, std::vector<PatchPair> pairs,
+                    const std::function<Range(const PatchPair& part, const PatchPair& whole)>& measure,
+                    const std::function<void(const PatchPair&, PairState)>& decided, const RefinementOptions& options);
 
 /// A convex polygon as triangles.
 std::vector<ConvexPatch> triangles_of(const ConvexPolygon& polygon);

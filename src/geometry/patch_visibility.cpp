@@ -174,7 +174,7 @@ PatchAnswer PatchVisibility::operator()(const ConvexPatch& a, const ConvexPatch&
         return Range{parent.measure.low / 4, parent.measure.high / 4};
     };
     const auto witness = [&](const PatchPair& pair, PairState state) { self.look_for_witnesses(pair, state, answer); };
-    const Refinement refined =
+    const RefinedPairs refined =
         refine(self.scene, std::move(pairs), quarter, witness, {options.width, options.max_pairs, options.seconds});
     answer.pairs = refined.pairs;
     answer.lower = std::min(1.0, refined.clear.low);

@@ -34,7 +34,7 @@ inline VertexId corner(View<VertexId> corners, int k) {
 
 /// The corner at which two sides that are not parallel both carry the point of contact; nothing where the sides
 /// through it are all parallel. The loop of a convex piece passes each of its true corners with two such sides
-/// in a row, straight angles and repeated windings notwithstanding.
+/// in a row, straight angles notwithstanding.
 template <class Signs>
 std::optional<int> corner_touched(const Signs& signs, PieceId id, int first_zero) {
     const Piece& piece = signs.scene().piece(id);

@@ -33,11 +33,6 @@ struct Bounds3 {
             if (low[axis] > other.high[axis] || high[axis] < other.low[axis]) return false;
         return true;
     }
-    bool contains(const Point& point) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (point[axis] < low[axis] || point[axis] > high[axis]) return false;
-        return true;
-    }
 };
 
 /// A balanced tree over boxes, split at the median of the longest axis.
