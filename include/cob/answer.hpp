@@ -11,9 +11,9 @@
 
 namespace cob {
 
-/// Other people's code, as a subject: it answers yes or no, in the short forms of the tables (SPEC 7). Embree: is a
-/// segment hidden (`segment,hidden`)? CGAL: do a polygon and the closed box meet (`box,polygon,close`)? Only for
-/// axis-aligned boxes of binary64 corners.
+/// Other people's code, as a subject: it answers yes or no, in the short tables that `cob verify` takes, too.
+/// Embree: is a segment hidden (`segment,hidden`)? CGAL: do a polygon and the closed box meet (`box,polygon,close`)?
+/// Only for axis-aligned boxes of binary64 corners.
 enum class Peer : std::uint8_t { none, embree, cgal_epick, cgal_epeck };
 
 struct AnswerOptions {
@@ -37,10 +37,10 @@ struct AnswerSummary {
 
 /// Reads scene.obj and the tables of questions that the set has, and writes their answers, and nothing else, into the
 /// folder: boxes.csv gives states.csv and relations.csv, segments.csv gives visibility.csv, points.csv gives
-/// irradiance.csv (always exactly). Streams: memory does not
-/// grow with the number of questions. The columns from and to of segments.csv must name polygons of the scene, but
-/// are not trusted: the answer is that of the two points. Throws InputError: no scene, no questions, a question that
-/// SPEC refuses or the peer cannot be asked, with its line; a peer that the program was built without.
+/// irradiance.csv (always exactly). Streams: memory does not grow with the number of questions. The columns from and to
+/// of segments.csv must name polygons of the scene, but are not trusted: the answer is that of the two points. Throws
+/// InputError: no scene, no questions, a question that SPEC refuses or the peer cannot be asked, with its line; a peer
+/// that the program was built without.
 AnswerSummary answer_set(const std::string& set, const std::string& folder, const AnswerOptions& options);
 
 }  // namespace cob

@@ -48,7 +48,9 @@ void create_folder(const std::string& path);
 /// False also where that cannot be told: of a name that is too long, or behind links in a circle.
 bool exists(const std::string& path);
 bool is_folder(const std::string& path);
-/// The bytes of a file. Throws InputError where it cannot be read.
+/// Gives the bytes of a file to the sink, block by block. Throws InputError where it cannot be read.
+void read_blocks(const std::string& path, const std::function<void(std::string_view)>& sink);
+/// The bytes of a file; throws as read_blocks().
 std::string read_file(const std::string& path);
 
 }  // namespace cob

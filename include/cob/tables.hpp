@@ -127,9 +127,6 @@ public:
 
     /// The next row; false at the end of the table. Reuses the row's storage.
     bool next(Row& row);
-    /// Line of the last row, from 1.
-    std::size_t line() const;
-    const std::string& path() const;
 
 private:
     struct Implementation;

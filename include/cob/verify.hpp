@@ -101,10 +101,6 @@ inline Bounds bounds_of(const Box& box) {
     return bounds;
 }
 
-inline Confusion empty_confusion(bool yes_no, const std::vector<std::string>& names) {
-    return {names, yes_no ? yes_no_names() : names};
-}
-
 /// A callable's answer as a column of the confusion matrix.
 inline std::size_t column_of(bool answer) {
     return answer ? 1 : 0;

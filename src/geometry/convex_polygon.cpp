@@ -42,13 +42,16 @@ ConvexPolygon clip(const ConvexPolygon& polygon, const OpenHalfSpace& half_space
     return result;
 }
 
-void subtract(std::vector<ConvexPolygon>& polygons, const ConvexPolygon& hole) {
-    const RationalPoint normal = area_vector(hole);
+std::vector<OpenHalfSpace> sides_of(const ConvexPolygon& polygon) {
+    const RationalPoint normal = area_vector(polygon);
     std::vector<OpenHalfSpace> sides;
-    for (std::size_t k = 0; k < hole.size(); ++k) {
-        const RationalPoint& next = hole[(k + 1) % hole.size()];
-        sides.push_back({cross(normal, next - hole[k]), hole[k]});
-    }
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        sides.push_back({cross(normal, polygon[(k + 1) % polygon.size()] - polygon[k]), polygon[k]});
+    return sides;
+}
+
+void subtract(std::vector<ConvexPolygon>& polygons, const ConvexPolygon& hole) {
+    const std::vector<OpenHalfSpace> sides = sides_of(hole);
     std::vector<ConvexPolygon> rest;
     for (ConvexPolygon& polygon : polygons) {
         std::vector<ConvexPolygon> outside;
@@ -66,10 +69,13 @@ void subtract(std::vector<ConvexPolygon>& polygons, const ConvexPolygon& hole) {
     polygons = std::move(rest);
 }
 
+Rational largest_component(const RationalPoint& vector) {
+    return std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
+}
+
 double area(const ConvexPolygon& polygon) {
     const RationalPoint vector = area_vector(polygon);
-    Rational size = 0;
-    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(vector[axis]));
+    const Rational size = largest_component(vector);
     if (size == 0) return 0;
     const double x = to_nearest(Rational(vector.x / size)), y = to_nearest(Rational(vector.y / size)),
                  z = to_nearest(Rational(vector.z / size));

@@ -24,6 +24,8 @@ ConvexPolygon polygon_of(const Scene& scene, const Piece& piece);
 ConvexPolygon polygon_of(const Corners& corners);
 /// Where the polygon is visible from.
 OpenHalfSpace front_of(const ConvexPolygon& polygon);
+/// One for each side: together they hold what lies straight over and under the polygon.
+std::vector<OpenHalfSpace> sides_of(const ConvexPolygon& polygon);
 /// What of the polygon lies in the half-space, its border added; empty where that has no area.
 ConvexPolygon clip(const ConvexPolygon& polygon, const OpenHalfSpace& half_space);
 /// Replaces polygons of one plane by what of them lies outside another of that plane, as convex parts.
@@ -36,6 +38,8 @@ Vector3<Number> area_vector(const std::vector<Vector3<Number>>& polygon) {
         sum = sum + cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
     return sum;
 }
+/// The largest component in absolute value.
+Rational largest_component(const RationalPoint& vector);
 /// Area in binary64, within a few units in the last place.
 double area(const ConvexPolygon& polygon);
 

@@ -1,10 +1,7 @@
 #include "cob/shooter.hpp"
 
+#include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <string>
@@ -20,24 +17,7 @@ double on_grid(double weight) {
     return std::floor(weight * grid + 0.5) / grid;
 }
 
-/// Calls work(k) for every k below count, on as many threads as wanted; every k writes only what is its own.
-template <class Work>
-void for_each_index(std::size_t count, Threads threads, Work work) {
-    constexpr std::size_t block = 64;  // segments cost around a microsecond
-    const auto run = [&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, block),
-                          [&](const tbb::blocked_range<std::size_t>& range) {
-                              for (std::size_t k = range.begin(); k != range.end(); ++k) work(k);
-                          });
-    };
-    if (threads.count == 1) {
-        for (std::size_t k = 0; k < count; ++k) work(k);
-    } else if (threads.count > 1) {
-        tbb::task_arena(threads.count).execute(run);
-    } else {
-        run();
-    }
-}
+constexpr std::size_t block = 64;  ///< Of one thread in a row: segments cost around a microsecond.
 
 }  // namespace
 
@@ -77,15 +57,17 @@ double visible_fraction(const VisibilityOracle& oracle, const SamplePoint& recei
 std::vector<double> visible_fractions(const VisibilityOracle& oracle, const std::vector<SamplePoint>& receivers,
                                       const std::vector<SamplePoint>& samples, Threads threads) {
     std::vector<double> fractions(receivers.size());
-    for_each_index(receivers.size(), threads,
-                   [&](std::size_t k) { fractions[k] = visible_fraction(oracle, receivers[k], samples); });
+    in_parallel(
+        threads.count, receivers.size(),
+        [&](std::size_t k) { fractions[k] = visible_fraction(oracle, receivers[k], samples); }, block);
     return fractions;
 }
 
 std::vector<Visibility> visibilities(const VisibilityOracle& oracle, const std::vector<Segment>& segments,
                                      Threads threads) {
     std::vector<Visibility> answers(segments.size());
-    for_each_index(segments.size(), threads, [&](std::size_t k) { answers[k] = oracle(segments[k]); });
+    in_parallel(
+        threads.count, segments.size(), [&](std::size_t k) { answers[k] = oracle(segments[k]); }, block);
     return answers;
 }
 

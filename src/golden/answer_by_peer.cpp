@@ -1,4 +1,4 @@
-// Other people's code answers, in the short forms of the tables: segments.csv -> `segment,hidden`, boxes.csv ->
+// Other people's code answers, in short forms of the tables: segments.csv -> `segment,hidden`, boxes.csv ->
 // `box,polygon,close`.
 #include "cob/verify/recorder.hpp"
 #include "golden/answer.hpp"

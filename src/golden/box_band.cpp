@@ -1,6 +1,7 @@
 #include "geometry/convex_polygon.hpp"
 #include "golden/band.hpp"
 #include "golden/box_clearance.hpp"
+#include "golden/number_format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,7 @@ std::array<double, 6> grown(const std::array<double, 6>& bounds) {
 /// The square root of a positive fraction to 53 bits, also where binary64 has no number as large or small.
 Rational rounded_root(const Rational& square) {
     const int half = (static_cast<int>(msb(numerator(square))) - static_cast<int>(msb(denominator(square)))) / 2;
-    const Integer power_of_two = Integer(1) << static_cast<unsigned>(std::abs(half));
-    const Rational unit = half < 0 ? Rational(Integer(1), power_of_two) : Rational(power_of_two);
+    const Rational unit = power_of_two(half);
     return unit * Rational(std::sqrt(to_nearest(square / (unit * unit))));
 }
 

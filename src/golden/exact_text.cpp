@@ -1,6 +1,5 @@
 #include "golden/exact_text.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>

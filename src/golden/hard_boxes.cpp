@@ -62,10 +62,6 @@ BoxQuestion element_question(const Questions& questions, Dice& dice) {
                         questions.height());
 }
 
-const Root& any_root(const Questions& questions, Dice& dice) {
-    return questions.roots()[static_cast<RootId>(dice.below(static_cast<std::uint64_t>(questions.roots().size())))];
-}
-
 BoxQuestion root_question(const Questions& questions, const Root& root) {
     return box_question(questions.scene(), root, root_element(root.id), questions.margin(), questions.height());
 }
@@ -105,13 +101,13 @@ Relation relation_to(const Questions& questions, const Aim& target, const BoxQue
 // ------------------------------------------------------------------------------------------------ the kinds
 
 std::optional<BoxQuestion> seam(const Questions& questions, Dice& dice) {
-    BoxQuestion question = root_question(questions, any_root(questions, dice));
+    BoxQuestion question = root_question(questions, dice.of(questions.roots().all()));
     question.margin = 0;
     return question;
 }
 
 std::optional<BoxQuestion> plane(const Questions& questions, Dice& dice) {
-    BoxQuestion question = root_question(questions, any_root(questions, dice));
+    BoxQuestion question = root_question(questions, dice.of(questions.roots().all()));
     question.polygon = no_polygon;
     if (dice.coin())
         std::reverse(question.corners.points.begin(), question.corners.points.begin() + question.corners.count);
@@ -189,7 +185,7 @@ std::optional<BoxQuestion> top(const Questions& questions, Dice& dice, bool exac
 
 /// The root about one of its corners, 2^power times as large; the box keeps its height.
 std::optional<BoxQuestion> scaled(const Questions& questions, Dice& dice, int power) {
-    const Root& root = any_root(questions, dice);
+    const Root& root = dice.of(questions.roots().all());
     BoxQuestion question = root_question(questions, root);
     const auto count = static_cast<std::size_t>(question.corners.count);
     const RationalPoint centre = question.corners.points[dice.below(count)].rational();

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace cob {
 
@@ -72,8 +71,7 @@ SegmentTask seam(const Questions& questions, Dice& dice) {
 }
 
 SegmentTask plane(const Questions& questions, Dice& dice) {
-    const auto roots = static_cast<std::uint64_t>(questions.roots().size());
-    const Root& root = questions.roots()[static_cast<RootId>(dice.below(roots))];
+    const Root& root = dice.of(questions.roots().all());
     const RationalPoint p = questions.sample(root, root_element(root.id), dice).point.rational();
     const RationalPoint q = questions.sample(root, root_element(root.id), dice).point.rational();
     const Rational beyond(static_cast<int>(dice.below(4)));

@@ -24,7 +24,6 @@ public:
     /// that does not end is refused: the table was cut off.
     bool next(std::string_view& line);
     std::size_t line_number() const { return line_number_; }
-    const std::string& path() const { return path_; }
 
     [[noreturn]] void refuse(const std::string& problem, std::string_view value, const std::string& remedy) const;
 

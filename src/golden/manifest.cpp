@@ -6,12 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
-#include <vector>
 
 namespace cob {
 namespace {
@@ -31,22 +26,12 @@ std::string sha256(std::string_view bytes) {
 }
 
 ManifestFile describe_file(const std::string& path) {
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const bool folder = is_folder(path);
-    const std::unique_ptr<std::FILE, Close> file(folder ? nullptr : std::fopen(path.c_str(), "rb"));
-    if (!file)
-        throw InputError("cannot open file",
-                         {path, 0, folder ? "is a folder" : std::strerror(errno), "check the path"});
     ManifestFile result;
     Sha256 hash;
-    std::vector<char> block(std::size_t{1} << 18);
-    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
-        hash.update({block.data(), n});
-        result.bytes += n;
-    }
-    if (std::ferror(file.get()) != 0) throw InputError("cannot read file", {path, 0, "", "check the disk"});
+    read_blocks(path, [&](std::string_view block) {
+        hash.update(block);
+        result.bytes += block.size();
+    });
     result.sha256 = hash.finish();
     return result;
 }

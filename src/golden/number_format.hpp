@@ -11,6 +11,12 @@ namespace cob {
 
 enum class NumberFormat : std::uint8_t { any, binary64, binary32 };
 
+/// 2^exponent, also where binary64 has no such number.
+inline Rational power_of_two(int exponent) {
+    const Integer power = Integer(1) << static_cast<unsigned>(std::abs(exponent));
+    return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+}
+
 constexpr int digits(NumberFormat format) {
     return format == NumberFormat::binary32 ? 24 : 53;
 }

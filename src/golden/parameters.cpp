@@ -66,6 +66,10 @@ std::map<std::string, std::string> to_text(const GoldenParameters& p) {
     return text;
 }
 
+NumberFormat format_of(const GoldenParameters& parameters) {
+    return parameters.binary32 ? NumberFormat::binary32 : parameters.grid ? NumberFormat::binary64 : NumberFormat::any;
+}
+
 GoldenParameters parameters_of(const Manifest& manifest) {
     const Reader read(manifest.parameters);
     GoldenParameters p;

@@ -3,6 +3,7 @@
 #include "cob/error.hpp"
 #include "golden/hard_boxes.hpp"
 #include "golden/hard_segments.hpp"
+#include "golden/parameters.hpp"
 #include "golden/snap.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace {
 
 /// Streams of the dice: one for each way to make a question.
 enum Stream : std::uint64_t { sampled_segments, hard_box_stream, hard_segment_stream };
-
-NumberFormat format_of(const GoldenParameters& parameters) {
-    return parameters.binary32 ? NumberFormat::binary32 : parameters.grid ? NumberFormat::binary64 : NumberFormat::any;
-}
 
 /// What a snapped set promises of every question.
 void require_fit(bool fit, const char* what, std::uint64_t number) {

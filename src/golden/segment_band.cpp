@@ -1,6 +1,6 @@
 #include "golden/band.hpp"
+#include "golden/number_format.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -70,9 +70,8 @@ ExactPoint moved(const ExactPoint& point, const Move& move, double sign) {
         }
         if (exact) return ExactPoint::from_pair(nearest, rest);
     }
-    const Integer power_of_two = Integer(1) << static_cast<unsigned>(std::abs(move.power));
-    const Rational factor = move.power < 0 ? Rational(Integer(1), power_of_two) : Rational(power_of_two);
-    return ExactPoint(point.rational() + Rational(sign * factor) * (to_rational(move.a) - to_rational(move.b)));
+    return ExactPoint(point.rational() +
+                      Rational(sign * power_of_two(move.power)) * (to_rational(move.a) - to_rational(move.b)));
 }
 
 /// blocker: see VisibilityOracle.

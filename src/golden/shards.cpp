@@ -8,7 +8,6 @@
 #include <unistd.h>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 namespace cob {
 
@@ -51,10 +50,6 @@ private:
     std::string path_, temporary_;
 };
 
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 /// A file that is described while it is written.
 class DescribedFile {
 public:
@@ -74,14 +69,6 @@ private:
     Sha256 hash_;
     std::uint64_t bytes_ = 0;
 };
-
-void append_file(DescribedFile& out, const std::string& path) {
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-    if (!file) throw InputError("cannot open file", {path, 0, "", "run the same command again"});
-    std::vector<char> block(std::size_t{1} << 20);
-    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) out.write({block.data(), n});
-    if (std::ferror(file.get()) != 0) throw InputError("cannot read file", {path, 0, "", "check the disk"});
-}
 
 [[noreturn]] void refuse_damaged(const std::string& path, const std::string& why) {
     throw InputError("damaged shard", {path, 0, why, "remove this folder and run the same command again"});
@@ -169,7 +156,7 @@ std::optional<ManifestFile> Shards::merge(const std::string& table, const std::s
         const std::string part = path(shard) + "/" + table;
         if (!exists(part)) continue;
         if (!out) out.emplace(to).write(header + "\n");
-        append_file(*out, part);
+        read_blocks(part, [&](std::string_view block) { out->write(block); });
     }
     if (!out) return {};
     return out->commit();

@@ -2,6 +2,7 @@
 
 #include "cob/error.hpp"
 #include "cob/geometry.hpp"
+#include "golden/parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +10,6 @@
 namespace cob {
 
 namespace {
-
-NumberFormat format_of(const GoldenParameters& parameters) {
-    return parameters.binary32 ? NumberFormat::binary32 : NumberFormat::binary64;
-}
 
 /// Nearest multiple of 2^-grid, ties to even; what is a multiple already stays.
 double snapped(double value, int grid) {

@@ -25,7 +25,11 @@ void remember_line(PointRow& row, std::size_t line) {
     row.line = line;
 }
 
+template <class Row>
 std::string to_text(const RowKey& key, bool pair) {
+    if constexpr (std::is_same_v<Row, TagRow>)
+        return (static_cast<TagRow::Question>(key[0]) == TagRow::Question::box ? "box " : "segment ") +
+               std::to_string(key[1]);
     return std::to_string(key[0]) + (pair ? "," + std::to_string(key[1]) : "");
 }
 
@@ -67,7 +71,7 @@ struct TableReader<Row>::Implementation {
         const RowKey key = RowCodec<Row>::key(row);
         if (last && key <= *last) {
             const bool pair = key[1] != 0 || (*last)[1] != 0;
-            lines.refuse(key == *last ? "doubled id" : "ids do not ascend", to_text(key, pair),
+            lines.refuse(key == *last ? "doubled id" : "ids do not ascend", to_text<Row>(key, pair),
                          key == *last ? "give every question one row" : "sort the rows by their ids");
         }
         last = key;
@@ -85,14 +89,6 @@ TableReader<Row>::TableReader(TableReader&&) noexcept = default;
 template <class Row>
 bool TableReader<Row>::next(Row& row) {
     return implementation_->next(row);
-}
-template <class Row>
-std::size_t TableReader<Row>::line() const {
-    return implementation_->lines.line_number();
-}
-template <class Row>
-const std::string& TableReader<Row>::path() const {
-    return implementation_->lines.path();
 }
 
 // --------------------------------------------------------------------------------------------------- writing

@@ -8,12 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const verify::Counts& counts) {
-    return {{"compared", counts.compared},   {"wrong", counts.wrong},     {"near", counts.near},
-            {"undecided", counts.undecided}, {"missing", counts.missing}, {"doubled", counts.doubled},
-            {"unknown", counts.unknown}};
-}
-
 Json to_json(const verify::Confusion& confusion) {
     Json matrix = Json::object();
     for (std::size_t row = 0; row < confusion.rows.size(); ++row)
@@ -23,7 +17,8 @@ Json to_json(const verify::Confusion& confusion) {
 }
 
 Json to_json(const verify::KindReport& part) {
-    Json json = to_json(part.counts);
+    Json json;
+    for (const verify::NamedCount& named : verify::named_counts) json[named.name] = part.counts.*named.count;
     json["confusion"] = to_json(part.confusion);
     return json;
 }
@@ -100,11 +95,11 @@ std::string to_junit(const verify::Report& report) {
                 continue;
             }
             ++failures;
-            const std::string summary = std::to_string(c.wrong) + " wrong, " + std::to_string(c.near) + " near, " +
-                                        std::to_string(c.undecided) + " undecided, " + std::to_string(c.missing) +
-                                        " missing, " + std::to_string(c.doubled) + " doubled, " +
-                                        std::to_string(c.unknown) + " unknown of " + std::to_string(c.compared);
-            cases += ">\n      <failure message=\"" + summary + "\">" +
+            std::string summary;
+            for (const verify::NamedCount& named : verify::named_counts)
+                if (named.count != &verify::Counts::compared)
+                    summary += (summary.empty() ? "" : ", ") + std::to_string(c.*named.count) + " " + named.name;
+            cases += ">\n      <failure message=\"" + summary + " of " + std::to_string(c.compared) + "\">" +
                      escaped(failure_text(report, table.table, kind)) + "</failure>\n    </testcase>\n";
         }
         if (!table.answered)

@@ -1,5 +1,6 @@
 #include "radiosity/cell_flux.hpp"
 
+#include "radiosity/cells.hpp"
 #include "radiosity/taylor.hpp"
 
 #include <algorithm>
@@ -135,10 +136,8 @@ Interval range_over_cell(const PairShapes& shapes, const Triangle2D& cell, const
 double lipschitz_bound(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
                        const std::vector<const CornerLoop*>& occluders) {
     constexpr double up = 1 + 1e-9;  // pays for all roundings here
-    const Point2D centre{(cell[0].s + cell[1].s + cell[2].s) / 3, (cell[0].t + cell[1].t + cell[2].t) / 3};
-    double radius = 0;
-    for (const Point2D& corner : cell)
-        radius = std::max(radius, std::hypot(corner.s - centre.s, corner.t - centre.t) * up);
+    const Point2D centre = centroid(cell);
+    const double radius = reach(cell);
     double sum = 0;
     const auto add = [&](const CornerLoop& loop) {
         for (std::size_t k = 0; k < loop.size(); ++k) {

@@ -22,9 +22,7 @@ IntervalPoint enclosure(const RationalPoint& point) {
 
 /// To a length of 1, whatever its length.
 IntervalPoint unit(const RationalPoint& v) {
-    Rational size = 0;
-    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(v[axis]));
-    const IntervalPoint scaled = enclosure(Rational(1 / size) * v);
+    const IntervalPoint scaled = enclosure(Rational(1 / largest_component(v)) * v);
     return (Interval(1) / sqrt(square(scaled.x) + square(scaled.y) + square(scaled.z))) * scaled;
 }
 

@@ -1,14 +1,11 @@
 #include "cob/form_factors.hpp"
 
+#include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
 #include "radiosity/piece_pair.hpp"
 #include "radiosity/plane_sheets.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <mutex>
 
@@ -56,15 +53,6 @@ private:
     std::uint64_t total_, done_ = 0;
     std::mutex mutex_;
 };
-
-template <class F>
-void in_parallel(int threads, std::size_t count, const F& f) {
-    const auto run = [&] { tbb::parallel_for(std::size_t{0}, count, f); };
-    if (threads == 0)
-        run();
-    else
-        tbb::task_arena(threads).execute(run);
-}
 
 }  // namespace
 

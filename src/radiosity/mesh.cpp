@@ -1,10 +1,10 @@
 #include "radiosity/mesh.hpp"
 
 #include "geometry/bounds.hpp"
+#include "scene/edges.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 namespace cob::radiosity {
@@ -30,14 +30,6 @@ NodeId patch_index(const Root& root, const Element& patch, std::uint32_t p, std:
     const std::uint32_t count = std::uint32_t(1) << patch.level_i, side = whole >> patch.level_i;
     const bool inverted = (p - i * side) + (q - j * side) >= side;
     return static_cast<NodeId>(2 * count * j - j * j + 2 * i + (inverted ? 1 : 0));
-}
-
-std::vector<VertexId> first_at_positions(const Scene& scene) {
-    std::map<Point, VertexId> first;
-    std::vector<VertexId> result;
-    for (std::size_t k = 0; k < scene.positions().size(); ++k)
-        result.push_back(first.emplace(scene.positions()[k], static_cast<VertexId>(k)).first->second);
-    return result;
 }
 
 }  // namespace
@@ -72,7 +64,7 @@ std::size_t Mesh::KeyHash::operator()(const Key& key) const {
 }
 
 Mesh::Mesh(const Scene& scene, const Roots& roots, double patch_edge, double light_edge)
-    : scene_(scene), roots_(roots), exponent_(unit_exponent(scene)), first_at_position_(first_at_positions(scene)) {
+    : scene_(scene), roots_(roots), exponent_(unit_exponent(scene)), first_at_position_(first_at_position(scene)) {
     for (RootId root = 0; root < roots.size(); ++root) {
         first_patch_.push_back(static_cast<NodeId>(nodes_.size()));
         const double edge = scene.is_light(roots[root].polygon) ? light_edge : patch_edge;

@@ -1,6 +1,7 @@
 #include "radiosity/plane_sheets.hpp"
 
 #include "arithmetic/orientation.hpp"
+#include "geometry/convex_polygon.hpp"
 #include "scene/piece_plane.hpp"
 
 #include <algorithm>
@@ -8,17 +9,11 @@
 namespace cob::radiosity {
 namespace {
 
-/// Twice the area seen along the polygon's main axis, exactly.
-Rational doubled_area(const Scene& scene, PolygonId polygon, const View2& view) {
-    const View<VertexId> loop = scene.loop(polygon);
-    Rational sum = 0;
-    const auto coordinate = [&](std::size_t k, int axis) {
-        return Rational(scene.position(loop[k % loop.size()])[axis]);
-    };
-    for (std::size_t k = 0; k < loop.size(); ++k)
-        sum += coordinate(k, view.first) * coordinate(k + 1, view.second) -
-               coordinate(k + 1, view.first) * coordinate(k, view.second);
-    return sum;
+/// Twice the area seen along an axis, exactly.
+Rational doubled_area(const Scene& scene, PolygonId polygon, int axis) {
+    std::vector<RationalPoint> loop;
+    for (const VertexId v : scene.loop(polygon)) loop.push_back(to_rational(scene.position(v)));
+    return abs(area_vector(loop)[axis]);
 }
 
 bool lies_in(const Scene& scene, PolygonId polygon, const std::array<Point, 3>& plane) {
@@ -67,8 +62,8 @@ std::vector<PolygonId> sheets_on_top(const Scene& scene, PolygonId polygon, cons
     std::optional<Rational> area;
     for (PolygonId other : search.found) {
         if (!lies_in(scene, other, plane)) continue;
-        if (!area) area = doubled_area(scene, polygon, shape.view);
-        const Rational others = doubled_area(scene, other, shape.view);
+        if (!area) area = doubled_area(scene, polygon, shape.view.axis);
+        const Rational others = doubled_area(scene, other, shape.view.axis);
         if (others < *area || (others == *area && other > polygon)) result.push_back(other);
     }
     std::sort(result.begin(), result.end());

@@ -11,8 +11,7 @@ ReceiverFrame::ReceiverFrame(const ConvexPolygon& receiver, double scale) : orig
     offset_ = length(scale * nearest_origin_) > 64;
     // The axes need not be exact, only right-angled to rounding: they choose sample points, not answers.
     const RationalPoint up = area_vector(receiver);
-    Rational size = 0;
-    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(up[axis]));
+    const Rational size = largest_component(up);
     for (int axis = 0; axis < 3; ++axis) normal_[axis] = to_nearest(Rational(up[axis] / size));
     normal_ = (1 / length(normal_)) * normal_;
     const Vector3<double> side = relative(receiver[1]);

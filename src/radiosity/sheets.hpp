@@ -22,7 +22,6 @@ class Sheets {
 public:
     Sheets(const Scene& scene, const CandidateSource& candidates);
 
-    /// Some two polygons overlap so.
     /// The polygons that lie on top of one, where they overlap it.
     const std::vector<PolygonId>& above(PolygonId polygon) const { return above_[static_cast<std::size_t>(polygon)]; }
     Cover cover(const Root& root, const Element& element) const;

@@ -1,23 +1,15 @@
 #include "radiosity/state.hpp"
 
+#include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
 #include "geometry/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace cob {
 
 using namespace radiosity;
-
-namespace {
-
-int default_threads() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-}  // namespace
 
 const char* to_text(Refinement refinement) {
     switch (refinement) {
@@ -51,7 +43,7 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
       roots(a_scene),
       omissions(a_scene, roots, {options.keep, options.buffer.margin, options.buffer.height}),
       channels_(omissions(Omission::grey) ? 1 : 3),
-      arena_(options.threads > 0 ? options.threads : default_threads()) {
+      arena_(thread_count(options.threads)) {
     const PhaseTimer timer(times.meshing);
     candidates = make_candidates(scene, omissions(Omission::tree) ? Source::all : Source::cgal);
     mesh = std::make_unique<Mesh>(scene, roots, options.patch_edge, options.light_edge);

@@ -1,24 +1,10 @@
 #include "radiosity/viewpoint.hpp"
 
 #include "geometry/bounds.hpp"
-
-#include <numeric>
+#include "scene/edges.hpp"
 
 namespace cob::radiosity {
 namespace {
-
-/// Of every vertex, the first at its position.
-std::vector<VertexId> first_at_position(const std::vector<Point>& positions) {
-    std::vector<VertexId> order(positions.size()), first(positions.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](VertexId a, VertexId b) {
-        const Point &p = positions[a], &q = positions[b];
-        return p != q ? p < q : a < b;
-    });
-    for (std::size_t k = 0; k < order.size(); ++k)
-        first[order[k]] = k > 0 && positions[order[k]] == positions[order[k - 1]] ? first[order[k - 1]] : order[k];
-    return first;
-}
 
 /// Exact: the corner b lies on the line through a and c.
 bool is_straight(const Point& a, const Point& b, const Point& c) {
@@ -37,7 +23,7 @@ double scale_of(const Bounds& bounds) {
 }  // namespace
 
 PreparedPieces::PreparedPieces(const Scene& scene) : scene_(&scene), scale_(scale_of(bounds_of(scene))) {
-    const std::vector<VertexId> canonical = first_at_position(scene.positions());
+    const std::vector<VertexId> canonical = first_at_position(scene);
     first_corner_.push_back(0);
     for (const Piece& piece : scene.pieces()) {
         const View<VertexId> loop = scene.corners(piece);

@@ -1,5 +1,6 @@
 #include "radiosity/visible_light.hpp"
 
+#include "geometry/convex_polygon.hpp"
 #include "radiosity/cone_algebra.hpp"
 
 #include <boost/container/small_vector.hpp>
@@ -128,8 +129,7 @@ std::uint64_t outline_of(const PlanesThroughPoint& planes, const std::vector<Con
 /// To a largest component between 1/2 and 2, with all digits of T.
 template <class T>
 Vector3<T> scaled(const RationalPoint& v) {
-    Rational size = 0;
-    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(v[axis]));
+    const Rational size = largest_component(v);
     Vector3<T> result;
     for (int axis = 0; axis < 3; ++axis) {
         const Rational component = v[axis] / size;
@@ -186,8 +186,7 @@ void evaluate(const PlanesThroughPoint& planes, const ReceiverNormal& normal, co
 }  // namespace
 
 ReceiverNormal::ReceiverNormal(const RationalPoint& normal) : exact(normal) {
-    Rational size = 0;
-    for (int axis = 0; axis < 3; ++axis) size = std::max<Rational>(size, abs(normal[axis]));
+    const Rational size = largest_component(normal);
     for (int axis = 0; axis < 3; ++axis) bounded.value[axis] = to_nearest(Rational(normal[axis] / size));
     bounded.error = unit_roundoff;
 }

@@ -6,8 +6,6 @@
 #include "radiosity/mesh.hpp"
 #include "report/gnuplot.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,13 +63,11 @@ ExitanceLine::Place ExitanceLine::nearest(const Point& point) const {
 void ExitanceLine::write(const std::string& base) const {
     const ExitanceField field(solver_);
     std::vector<Rgb> solved(places_.size()), reference(places_.size());
-    on_threads(options_.threads, [&] {
-        tbb::parallel_for(std::size_t(0), places_.size(), [&](std::size_t k) {
-            const auto& [root, at] = places_[k];
-            if (root < 0) return;
-            solved[k] = field.at(root, at[0], at[1]);
-            reference[k] = solver_.gather(root, at[0], at[1], options_.samples);
-        });
+    in_parallel(options_.threads, places_.size(), [&](std::size_t k) {
+        const auto& [root, at] = places_[k];
+        if (root < 0) return;
+        solved[k] = field.at(root, at[0], at[1]);
+        reference[k] = solver_.gather(root, at[0], at[1], options_.samples);
     });
 
     std::string text = "share,x,y,z,r,g,b,reference_r,reference_g,reference_b\n";

@@ -1,10 +1,8 @@
 #include "report/picture.hpp"
 
+#include "arithmetic/threads.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/ray_caster.hpp"
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,42 +163,40 @@ Pictures render_pictures(const RadiositySolver& solver, const Camera& camera, co
     pictures.plain = pictures.mesh = pictures.states = Image(options.width, options.height);
     const int n = std::max(1, options.antialiasing);
 
-    tbb::task_arena arena(options.threads > 0 ? options.threads : static_cast<int>(tbb::task_arena::automatic));
-    arena.execute([&] {
-        tbb::parallel_for(0, options.height, [&](int y) {
-            for (int x = 0; x < options.width; ++x) {
-                Rgb plain{}, mesh{}, states{};
-                for (int k = 0; k < n * n; ++k) {
-                    const Seen seen = painter.look(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
-                    Rgb light = background, lined = background, state = background;
-                    if (seen.leaf >= 0) {
-                        double luminance = 0;
-                        for (std::size_t c = 0; c < 3; ++c) {
-                            light[c] = tone(pictures.exposure * seen.exitance[c]);
-                            luminance += light[c] / 3;
-                        }
-                        const Rgb colour = srgb_to_linear(colour_of(shown_state(solver, seen.leaf)));
-                        for (std::size_t c = 0; c < 3; ++c) {
-                            // Dark lines over what is bright, bright ones over what is dark.
-                            const double ink = luminance > 0.06 ? 0.0 : 0.25;
-                            lined[c] = light[c] + 0.75 * seen.line * (ink - light[c]);
-                            const double shade = (0.35 + 0.4 * seen.cosine + 0.25 * luminance) * colour[c];
-                            state[c] = shade * (1 - 0.55 * seen.line);
-                        }
-                    }
+    in_parallel(options.threads, static_cast<std::size_t>(options.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < options.width; ++x) {
+            Rgb plain{}, mesh{}, states{};
+            for (int k = 0; k < n * n; ++k) {
+                const Seen seen = painter.look(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
+                Rgb light = background, lined = background, state = background;
+                if (seen.leaf >= 0) {
+                    double luminance = 0;
                     for (std::size_t c = 0; c < 3; ++c) {
-                        plain[c] += light[c] / (n * n);
-                        mesh[c] += lined[c] / (n * n);
-                        states[c] += state[c] / (n * n);
+                        light[c] = tone(pictures.exposure * seen.exitance[c]);
+                        luminance += light[c] / 3;
+                    }
+                    const Rgb colour = srgb_to_linear(colour_of(shown_state(solver, seen.leaf)));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        // Dark lines over what is bright, bright ones over what is dark.
+                        const double ink = luminance > 0.06 ? 0.0 : 0.25;
+                        lined[c] = light[c] + 0.75 * seen.line * (ink - light[c]);
+                        const double shade = (0.35 + 0.4 * seen.cosine + 0.25 * luminance) * colour[c];
+                        state[c] = shade * (1 - 0.55 * seen.line);
                     }
                 }
                 for (std::size_t c = 0; c < 3; ++c) {
-                    pictures.plain.at(x, y)[c] = to_srgb(plain[c]);
-                    pictures.mesh.at(x, y)[c] = to_srgb(mesh[c]);
-                    pictures.states.at(x, y)[c] = to_srgb(states[c]);
+                    plain[c] += light[c] / (n * n);
+                    mesh[c] += lined[c] / (n * n);
+                    states[c] += state[c] / (n * n);
                 }
             }
-        });
+            for (std::size_t c = 0; c < 3; ++c) {
+                pictures.plain.at(x, y)[c] = to_srgb(plain[c]);
+                pictures.mesh.at(x, y)[c] = to_srgb(mesh[c]);
+                pictures.states.at(x, y)[c] = to_srgb(states[c]);
+            }
+        }
     });
     return pictures;
 }

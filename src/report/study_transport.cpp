@@ -3,6 +3,7 @@
 // Letters as in SPEC 8. M_i = E_i + rho_i sum_j F_ij M_j for patches i, j of constant exitance M; F_ij from
 // four points of i to what of j is seen from there, exactly found and in closed form. At any other point M follows by
 // one more sum of the same kind, so that shadows are as sharp there as they truly are.
+#include "arithmetic/threads.hpp"
 #include "cob/form_factor.hpp"
 #include "geometry/bounds.hpp"
 #include "radiosity/mesh.hpp"
@@ -11,8 +12,6 @@
 #include "radiosity/visible_light.hpp"
 #include "report/study_points.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <Eigen/Dense>
 
 #include <cmath>
@@ -108,14 +107,11 @@ public:
     static void for_each(std::size_t count, int threads, const Progress& progress, const Act& act) {
         std::mutex mutex;
         std::uint64_t done = 0;
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-        arena.execute([&] {
-            tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
-                act(k);
-                if (!progress) return;
-                const std::lock_guard<std::mutex> lock(mutex);
-                progress(done++, count);
-            });
+        in_parallel(threads, count, [&](std::size_t k) {
+            act(k);
+            if (!progress) return;
+            const std::lock_guard<std::mutex> lock(mutex);
+            progress(done++, count);
         });
     }
 

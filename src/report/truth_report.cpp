@@ -1,12 +1,9 @@
 #include "report/truth_report.hpp"
 
+#include "arithmetic/threads.hpp"
 #include "cob/files.hpp"
 #include "cob/irradiance.hpp"
 #include "cob/patch_visibility.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -246,18 +243,13 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
     std::vector<ElementTruth> truths(count);
     std::mutex mutex;
     std::uint64_t done = 0;
-    const auto work = [&] {
-        tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, 16), [&](const auto& range) {
-            judge_block(range.begin(), range.end(), 1, truths.data() + range.begin());
-            if (!options.progress) return;
-            const std::lock_guard<std::mutex> lock(mutex);
-            options.progress(done += range.size(), count);
-        });
-    };
-    if (options.threads == 0)
-        work();
-    else
-        tbb::task_arena(options.threads).execute(work);
+    in_parallel(options.threads, (count + 15) / 16, [&](std::size_t block) {
+        const std::uint64_t begin = 16 * block, end = std::min<std::uint64_t>(begin + 16, count);
+        judge_block(begin, end, 1, truths.data() + begin);
+        if (!options.progress) return;
+        const std::lock_guard<std::mutex> lock(mutex);
+        options.progress(done += end - begin, count);
+    });
 
     TruthSummary summary = summarise(truths);
     summary.elements = elements.size();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -9,6 +10,13 @@ namespace cob {
 namespace {
 
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+
+void sort_by_position(const Scene& scene, std::vector<VertexId>& vertices) {
+    std::sort(vertices.begin(), vertices.end(), [&](VertexId a, VertexId b) {
+        const Point &p = scene.position(a), &q = scene.position(b);
+        return p != q ? p < q : a < b;
+    });
+}
 
 /// Vertices that valid polygons use, ascending by position.
 std::vector<VertexId> used_vertices(const Scene& scene) {
@@ -19,14 +27,22 @@ std::vector<VertexId> used_vertices(const Scene& scene) {
     std::vector<VertexId> vertices;
     for (std::size_t k = 0; k < used.size(); ++k)
         if (used[k]) vertices.push_back(static_cast<VertexId>(k));
-    std::sort(vertices.begin(), vertices.end(), [&](VertexId a, VertexId b) {
-        const Point &p = scene.position(a), &q = scene.position(b);
-        return p != q ? p < q : a < b;
-    });
+    sort_by_position(scene, vertices);
     return vertices;
 }
 
 }  // namespace
+
+std::vector<VertexId> first_at_position(const Scene& scene) {
+    std::vector<VertexId> order(scene.positions().size()), first(order.size());
+    std::iota(order.begin(), order.end(), 0);
+    sort_by_position(scene, order);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const bool same = k > 0 && scene.position(order[k]) == scene.position(order[k - 1]);
+        first[order[k]] = same ? first[order[k - 1]] : order[k];
+    }
+    return first;
+}
 
 EdgeTable::EdgeTable(const Scene& scene) : scene_(&scene) {
     // Positions: one number for all vertices that stand at one.

@@ -1,6 +1,6 @@
 /// \file
-/// The positions of a scene's valid polygons, each once however many vertices stand there, and the edges between
-/// them, each once however many sides run along it in either direction.
+/// The positions of a scene, each once however many vertices stand there, and the edges between those of its valid
+/// polygons, each once however many sides run along it in either direction.
 #pragma once
 
 #include "cob/scene.hpp"
@@ -10,6 +10,10 @@
 
 namespace cob {
 
+/// Of every vertex, the first at its position.
+std::vector<VertexId> first_at_position(const Scene& scene);
+
+/// Positions and edges of valid polygons.
 class EdgeTable {
 public:
     /// A side of a polygon: from corner `number` of its loop to the next.

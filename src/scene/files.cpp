@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 namespace cob {
@@ -101,18 +102,23 @@ bool is_folder(const std::string& path) {
     return std::filesystem::is_directory(path, unknown);
 }
 
-std::string read_file(const std::string& path) {
+void read_blocks(const std::string& path, const std::function<void(std::string_view)>& sink) {
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
     const bool folder = is_folder(path);
-    std::FILE* file = folder ? nullptr : std::fopen(path.c_str(), "rb");
+    const std::unique_ptr<std::FILE, Close> file(folder ? nullptr : std::fopen(path.c_str(), "rb"));
     if (!file)
         throw InputError("cannot open file",
                          {path, 0, folder ? "is a folder" : std::strerror(errno), "check the path"});
+    std::vector<char> block(std::size_t{1} << 18);
+    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) sink({block.data(), n});
+    if (std::ferror(file.get()) != 0) throw InputError("cannot read file", {path, 0, "", "check the disk"});
+}
+
+std::string read_file(const std::string& path) {
     std::string text;
-    char block[1 << 16];
-    for (std::size_t n; (n = std::fread(block, 1, sizeof block, file)) > 0;) text.append(block, n);
-    const bool failed = std::ferror(file) != 0;
-    std::fclose(file);
-    if (failed) throw InputError("cannot read file", {path, 0, "", "check the disk"});
+    read_blocks(path, [&](std::string_view block) { text += block; });
     return text;
 }
 

@@ -78,7 +78,7 @@ TEST_F(Answer, AgreesWithClassify) {
     }
 }
 
-// Variants as subjects: other people's code answers yes or no, in the short forms of SPEC 7.
+// Variants as subjects: other people's code answers yes or no, in short forms of the tables.
 TEST_F(Answer, ByOtherPeoplesCode) {
     write_file(set_ + "/boxes.csv", boxes_header +
                                         "3,0,3,3,0,4,3,0,4,4,0,3,4,0,1,0,0,0.125,0.25\n" +  // under the sheet

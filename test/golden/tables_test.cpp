@@ -186,6 +186,17 @@ TEST(Tables, BrokenTablesAreRefusedWithTheirLine) {
     }
 }
 
+TEST(Tables, TagsAreNamedByTheirQuestion) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "tags.csv", "question,id,kind,band\nbox,5,seam,52\nbox,5,seam,52\n");
+    try {
+        read_all<TagRow>(folder / "tags.csv");
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("doubled id 'box 5'"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Tables, BrokenBoxesAreRefused) {
     for (const char* row : {
              "0,-2,0,0,0,1,0,0,0,1,0,,,,1,0,0,0.125,0.25\n",    // no such polygon id

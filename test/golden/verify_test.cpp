@@ -111,6 +111,7 @@ TEST_F(Verify, EachWayToDisagreeIsCountedApart) {
         {"visibility", "0,blocked\n1,blocked\n2,clear\n", 1, 0, 0, 0, 0},
         {"visibility", "0,clear\n1,grazing\n2,blocked\n", 1, 0, 0, 0, 0},  // grazing is free only where it is right
         {"visibility", "1,blocked\n1,blocked\n2,grazing\n7,clear\n", 0, 1, 1, 1, 0},
+        {"visibility", "0,clear\n1,blocked\n2,grazing\n9223372036854775807,clear\n", 0, 0, 0, 1, 0},  // the last id
         {"visibility", "0,undecided\n1,blocked\n2,undecided\n", 0, 0, 0, 0, 2},
     };
     for (const Row& row : rows) {

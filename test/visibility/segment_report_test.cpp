@@ -1,5 +1,5 @@
 // "explains one segment in words: every contact in order, which piece, where (exact and rounded), inside, side,
-// corner or in-plane, and why the answer follows" (issue "Exact visibility").
+// corner or in-plane, and why the answer follows".
 #include "report/segment_report.hpp"
 #include "visibility/scenes.hpp"
 

@@ -1,5 +1,5 @@
-// "The same answers, byte for byte, from every source of candidates on every shipped scene and 10^6 random segments"
-// (issue "Truth and speed"); SPEC 6: the source of candidates is no part of the answer.
+// "The same answers, byte for byte, from every source of candidates on every shipped scene and 10^6 random segments".
+// SPEC 6: the source of candidates is no part of the answer.
 #include "cob/shooter.hpp"
 #include "visibility/random.hpp"
 

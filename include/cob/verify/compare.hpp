@@ -10,6 +10,18 @@ namespace cob::verify {
 
 namespace detail {
 
+/// A yes-or-no variant's answers; their indices are those of yes_no_names().
+inline const std::vector<std::string>& yes_no_digits() {
+    static const std::vector<std::string> digits{"0", "1", "undecided"};
+    return digits;
+}
+
+/// Answers before the question, or all that are left, were not asked for.
+inline void skip_unknown(Cursor& given, Recorder& recorder, const Question* question = nullptr) {
+    for (; given.at_row() && !(question && given.id() >= question->id); given.step())
+        recorder.unknown({given.id(), {}, nullptr}, -1, given.row().line());
+}
+
 /// relations.csv of both sides, box by box: what is not listed is disjoint (of `close`: 0).
 class RelationComparison {
 public:
@@ -26,7 +38,7 @@ public:
     }
 
     void at(const Question& question) {
-        skip_unknown(question.id);
+        skip_unknown(given_, recorder_, &question);
         std::int64_t previous = -1;
         for (; given_.at(question.id); given_.step()) {
             const Table& row = given_.row();
@@ -48,7 +60,7 @@ public:
         }
         pass_exact(question, polygons_);
     }
-    void finish() { skip_unknown(INT64_MAX); }
+    void finish() { skip_unknown(given_, recorder_); }
 
 private:
     /// Rows of the set before this polygon: the variant left them out.
@@ -56,17 +68,12 @@ private:
         for (; exact_.at(question.id) && exact_.row().integer(1) < polygon; exact_.step())
             compare(question, exact_.row().integer(1), &exact_.row(), nullptr);
     }
-    void skip_unknown(std::int64_t id) {
-        for (; given_.at_row() && given_.id() < id; given_.step())
-            recorder_.unknown({given_.id(), {}, nullptr}, -1, given_.row().line());
-    }
     void compare(const Question& question, std::int64_t polygon, const Table* exact, const Table* given) {
         const std::size_t truth = exact ? exact->word(2, relation_names()) : 0;
         const std::string_view exact_text = exact ? exact->line() : "disjoint";
         const std::string_view given_text = given ? given->line() : "no row";
         if (given_.row().header() == 1) {
-            static const std::vector<std::string> digits{"0", "1", "undecided"};
-            const std::size_t answer = given ? given->word(2, digits) : 0;
+            const std::size_t answer = given ? given->word(2, yes_no_digits()) : 0;
             const bool wrong = answer != static_cast<std::size_t>(is_hit(options_, truth));
             recorder_.compared(question, polygon, truth, answer, wrong ? "close" : "", exact_text, given_text);
             return;
@@ -99,7 +106,7 @@ public:
           compare_(compare) {}
 
     void at(const Question& question) {
-        skip_unknown(question.id);
+        skip_unknown(given_, recorder_, &question);
         if (!exact_.at(question.id))
             throw Error(exact_.row().path() + ": no answer to question " + std::to_string(question.id) +
                         ": the set is not whole, make it anew");
@@ -112,13 +119,9 @@ public:
         }
         exact_.step();
     }
-    void finish() { skip_unknown(INT64_MAX); }
+    void finish() { skip_unknown(given_, recorder_); }
 
 private:
-    void skip_unknown(std::int64_t id) {
-        for (; given_.at_row() && given_.id() < id; given_.step())
-            recorder_.unknown({given_.id(), {}, nullptr}, -1, given_.row().line());
-    }
     Cursor exact_, given_;
     Recorder& recorder_;
     Compare compare_;
@@ -135,10 +138,9 @@ inline void compare_state(Recorder& recorder, const Question& question, const Ta
 
 inline void compare_visibility(Recorder& recorder, const Options& options, const Question& question, const Table& exact,
                                const Table& given) {
-    static const std::vector<std::string> digits{"0", "1", "undecided"};
     const std::size_t truth = exact.word(1, visibility_names());
     const bool hidden = given.header() == 1;
-    const std::size_t answer = given.word(1, hidden ? digits : visibility_names());
+    const std::size_t answer = given.word(1, hidden ? yes_no_digits() : visibility_names());
     const bool free = truth == static_cast<std::size_t>(Visibility::grazing) && !options.strict;
     const std::size_t wanted = hidden ? truth == static_cast<std::size_t>(Visibility::blocked) : truth;
     recorder.compared(question, -1, truth, answer,

@@ -77,8 +77,24 @@ struct Counts {
     std::uint64_t doubled = 0;    ///< Answers to what was answered before; the first one counts.
     std::uint64_t unknown = 0;    ///< Answers to what was not asked.
 
-    bool agree() const { return wrong + near + undecided + missing + doubled + unknown == 0; }
+    bool agree() const;
 };
+
+/// All counts by name, in the order in which reports give them.
+struct NamedCount {
+    const char* name;
+    std::uint64_t Counts::*count;
+};
+inline constexpr NamedCount named_counts[] = {{"compared", &Counts::compared}, {"wrong", &Counts::wrong},
+                                              {"near", &Counts::near},         {"undecided", &Counts::undecided},
+                                              {"missing", &Counts::missing},   {"doubled", &Counts::doubled},
+                                              {"unknown", &Counts::unknown}};
+
+inline bool Counts::agree() const {
+    for (const NamedCount& named : named_counts)
+        if (named.count != &Counts::compared && this->*named.count != 0) return false;
+    return true;
+}
 
 struct KindReport {
     Counts counts;
@@ -171,9 +187,7 @@ inline std::string to_text(const Confusion& confusion) {
 
 inline std::string to_text(const std::string& name, const Counts& counts) {
     std::string text = "  " + padded(name, 14);
-    for (const std::uint64_t count :
-         {counts.compared, counts.wrong, counts.near, counts.undecided, counts.missing, counts.doubled, counts.unknown})
-        text += padded(std::to_string(count), 11);
+    for (const NamedCount& named : named_counts) text += padded(std::to_string(counts.*named.count), 11);
     return text + "\n";
 }
 
@@ -186,8 +200,7 @@ inline std::string to_text(const Report& report) {
         text += table.table + (table.answered ? "\n" : ": not answered\n");
         if (!table.answered) continue;
         text += detail::to_text(table.total.confusion) + "  " + detail::padded("kind", 14);
-        for (const char* name : {"compared", "wrong", "near", "undecided", "missing", "doubled", "unknown"})
-            text += detail::padded(name, 11);
+        for (const NamedCount& named : named_counts) text += detail::padded(named.name, 11);
         text += "\n";
         for (const auto& [kind, part] : table.kinds) text += detail::to_text(kind, part.counts);
         text += detail::to_text("all", table.total.counts);
