@@ -1,4 +1,4 @@
-/// Issue "Progressive refinement radiosity": point to polygon against closed forms to 1e-12.
+/// Point to polygon against closed forms to 1e-12.
 #include "cob/form_factor.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-/// Issue "Leaving out": whatever a scene does not need is left out, and no byte of any result depends on it. Each
-/// omission alone and all together, on every shipped scene and on random ones.
+/// Whatever a scene does not need is left out, and no byte of any result depends on it. Each omission alone and all
+/// together, on every shipped scene and on random ones.
 #include "cob/omissions.hpp"
 
 #include "arithmetic/orientation.hpp"

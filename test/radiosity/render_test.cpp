@@ -1,4 +1,4 @@
-/// Issue "Progressive refinement radiosity": the command `cob render` as its users run it.
+/// The command `cob render` as its users run it.
 #include "cob/files.hpp"
 #include "report/image.hpp"
 

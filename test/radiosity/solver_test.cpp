@@ -1,5 +1,5 @@
-/// Issue "Progressive refinement radiosity": the solver against analytic and direct solutions, its books, and that
-/// nothing but the scene and the options decides its bytes. SPEC 8.
+/// The solver against analytic and direct solutions, its books, and that nothing but the scene and the options decides
+/// its bytes. SPEC 8.
 #include "cob/solver.hpp"
 
 #include "cob/error.hpp"
