@@ -65,8 +65,9 @@ struct StudyCommand {
                                  : study_reference(read_scene, points, reference, region);
         const std::vector<StudySettings> plan = study_plan(read_scene, results.reference.light,
                                                            budgets > 0 ? budgets
-                                                           : full      ? 3
+                                                           : full      ? 2
                                                                        : 5);
+        std::fprintf(stderr, "cob: %zu runs, %d times each; Ctrl-C ends, and a rerun goes on\n", plan.size(), repeats);
         const Progress progress = terminal_progress("runs");
         const Progress alive = [&](std::uint64_t, std::uint64_t) { progress(results.runs.size(), plan.size()); };
         for (const StudySettings& settings : plan) {
@@ -125,7 +126,7 @@ void add_study(CLI::App& app) {
         ->check(finite());
     command
         .add_option("--budgets", options->budgets,
-                    "How many uniform meshes, each with half the edge of the one before; 0: 5, of full light 3")
+                    "How many uniform meshes, each with half the edge of the one before; 0: 5, of full light 2")
         ->check(CLI::Range(0, 10));
     command.add_option("--repeats", options->repeats, "Runs of each setting, for the times")
         ->check(CLI::Range(1, 1000));

@@ -9,15 +9,15 @@
 namespace cob {
 
 std::vector<StudySettings> study_plan(const Scene& scene, StudyLight light, int budgets) {
-    const double patch = longest_extent(bounds_of(scene)) / 12;
+    // Of full light every patch shoots, and time grows with the square of their number.
+    const double patch = longest_extent(bounds_of(scene)) / (light == StudyLight::direct ? 12 : 6);
     std::vector<StudySettings> plan;
     const auto add = [&](const char* series, Refinement refinement, double edge, double least) -> StudySettings& {
         StudySettings settings;
         settings.series = series;
         settings.refinement = refinement;
         settings.patch_edge = edge;
-        // In direct light the lights alone shoot: all runs have the same shooters. Else every patch shoots.
-        settings.light_edge = light == StudyLight::direct ? patch : 0;
+        settings.light_edge = patch;  // all runs have the same lights; in direct light these alone shoot
         settings.minimum_edge = least;
         plan.push_back(settings);
         return plan.back();

@@ -6,6 +6,7 @@
 #include "arithmetic/threads.hpp"
 #include "cob/form_factor.hpp"
 #include "geometry/bounds.hpp"
+#include "radiosity/between.hpp"
 #include "radiosity/mesh.hpp"
 #include "radiosity/plane_sheets.hpp"
 #include "radiosity/planes.hpp"
@@ -15,7 +16,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <limits>
 #include <mutex>
 
 namespace cob {
@@ -33,24 +33,20 @@ constexpr std::array<std::array<double, 2>, 4> triangle_points{
 struct SystemPatch {
     RootId root = -1;
     Element element;
-    std::array<double, 6> bounds{};
     std::array<Point, 4> corners{};  ///< Rounded.
-    int corner_count = 0;
+    PatchShape shape;                ///< The same in units (mesh.hpp).
     LightPieces pieces;
-};
-
-/// What stands around one root: what lies on top of it, and what its patches can never be hidden by.
-struct SystemRoot {
-    std::vector<PieceId> on_top;
-    std::vector<bool> apart;  ///< By piece: no corner strictly in front of it, so that it is never between.
-    Point normal;             ///< Unit.
 };
 
 class TransportSystem {
 public:
     TransportSystem(const Scene& scene, const Roots& roots, double edge)
-        : scene_(scene), roots_(roots), candidates_(make_candidates(scene, Source::cgal)) {
-        find_planes();
+        : scene_(scene),
+          roots_(roots),
+          exponent_(unit_exponent(scene)),
+          planes_(scene, exponent_),
+          between_(scene, planes_) {
+        find_sheets();
         Scene::Input input = input_of(scene);
         for (const Root& root : roots.all())
             for (const Element& element : patches(scene, root, edge)) add_patch(root, element, input);
@@ -59,7 +55,7 @@ public:
             const Polygon& polygon = together_->polygon(scene.polygon_count() + static_cast<PolygonId>(k));
             for (std::uint32_t piece = 0; piece < polygon.piece_count; ++piece)
                 patches_[k].pieces.pieces.push_back(static_cast<PieceId>(polygon.first_piece + piece));
-            patches_[k].pieces.on_top = around_[static_cast<std::size_t>(patches_[k].root)].on_top;
+            patches_[k].pieces.on_top = on_top_[static_cast<std::size_t>(patches_[k].root)];
         }
         prepared_ = std::make_unique<PreparedPieces>(*together_);
     }
@@ -116,18 +112,18 @@ public:
     }
 
 private:
-    void find_planes() {
-        const Planes planes(scene_, unit_exponent(scene_));
+    void find_sheets() {
+        const auto candidates = make_candidates(scene_, Source::cgal);
         for (const Root& root : roots_.all()) {
-            SystemRoot around;
-            around.normal = planes.normal(root.piece);
-            for (std::size_t piece = 0; piece < scene_.pieces().size(); ++piece)
-                around.apart.push_back(planes.closed_sides(static_cast<PieceId>(piece), root.piece).behind);
-            for (const PolygonId sheet : sheets_on_top(scene_, root.polygon, *candidates_))
+            on_top_.emplace_back();
+            for (const PolygonId sheet : sheets_on_top(scene_, root.polygon, *candidates))
                 for (std::uint32_t k = 0; k < scene_.polygon(sheet).piece_count; ++k)
-                    around.on_top.push_back(static_cast<PieceId>(scene_.polygon(sheet).first_piece + k));
-            around_.push_back(std::move(around));
+                    on_top_.back().push_back(static_cast<PieceId>(scene_.polygon(sheet).first_piece + k));
         }
+    }
+
+    Point in_units(const Point& p) const {
+        return {std::scalbn(p.x, -exponent_), std::scalbn(p.y, -exponent_), std::scalbn(p.z, -exponent_)};
     }
 
     void add_patch(const Root& root, const Element& element, Scene::Input& input) {
@@ -137,90 +133,65 @@ private:
         Scene::Face face;
         face.material = scene_.polygon(root.polygon).material;
         const Corners exact = corners(scene_, root, element);
-        std::array<Point, 4> p;
-        for (int k = 0; k < exact.count; ++k) {
-            const auto corner = static_cast<std::size_t>(k);
-            p[corner] = exact.points[corner].nearest();
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double x = p[corner][static_cast<int>(axis)];
-                patch.bounds[axis] = k == 0 ? x : std::min(patch.bounds[axis], x);
-                patch.bounds[axis + 3] = k == 0 ? x : std::max(patch.bounds[axis + 3], x);
-            }
+        patch.shape.piece = root.piece;
+        patch.shape.corner_count = exact.count;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(exact.count); ++k) {
+            patch.corners[k] = exact.points[k].nearest();
+            patch.shape.corners[k] = in_units(patch.corners[k]);
             face.corners.push_back(static_cast<VertexId>(input.positions.size()));
-            input.positions.push_back(p[corner]);
+            input.positions.push_back(patch.corners[k]);
         }
-        patch.corners = p;
-        patch.corner_count = exact.count;
+        patch.shape.bounds = radiosity::bounds_of(patch.shape.corners.data(), exact.count);
         input.faces.push_back(std::move(face));
         patches_.push_back(std::move(patch));
     }
 
-    const SystemRoot& around(RootId root) const { return around_[static_cast<std::size_t>(root)]; }
-    bool apart(RootId root, RootId of) const { return around(of).apart[static_cast<std::size_t>(roots_[root].piece)]; }
-
     /// Form factors from a point of a root to what it sees of each patch.
     Eigen::RowVectorXd seen_from(const PointOnRoot& on, RootId receiver) const {
         const Point x = on.position.nearest();
+        PatchShape point;
+        point.piece = roots_[receiver].piece;
+        point.corners[0] = in_units(x);
+        point.corner_count = 1;
+        point.bounds = radiosity::bounds_of(point.corners.data(), 1);
         const Viewpoint viewpoint(*prepared_, on.position);
         const ReceiverNormal normal(on.normal);
         Eigen::RowVectorXd seen = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(size()));
+        std::vector<Obstacle> obstacles;
+        std::vector<PieceId> occluders;
         for (std::size_t k = 0; k < size(); ++k) {
             const SystemPatch& patch = patches_[k];
-            if (apart(patch.root, receiver) || apart(receiver, patch.root)) continue;
-            const std::vector<PieceId> occluders = between(x, receiver, patch);
+            if (between_.apart(point.piece, patch.shape.piece)) continue;
+            between_.find(patch.shape, point, obstacles);
             double& value = seen(static_cast<Eigen::Index>(k));
-            if (occluders.empty() && patch.pieces.on_top.empty()) {
+            if (obstacles.empty() && patch.pieces.on_top.empty()) {
                 const Point* corner = patch.corners.data();
-                value = form_factor(x, around(receiver).normal, {corner, corner + patch.corner_count}).value;
-            } else {
-                value = view_light(viewpoint, normal, patch.pieces, occluders, Precision::binary64).visible;
+                value = form_factor(x, planes_.normal(point.piece), {corner, corner + patch.shape.corner_count}).value;
+                continue;
             }
+            occluders.clear();
+            for (const Obstacle& obstacle : obstacles) occluders.push_back(obstacle.piece);
+            value = view_light(viewpoint, normal, patch.pieces, occluders, Precision::binary64).visible;
         }
         return seen;
     }
 
-    /// Pieces that meet the bounds of the point and the patch and reach in front of both their planes.
-    std::vector<PieceId> between(const Point& x, RootId receiver, const SystemPatch& patch) const {
-        std::array<double, 6> bounds = patch.bounds;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double value = x[static_cast<int>(axis)], infinity = std::numeric_limits<double>::infinity();
-            bounds[axis] = std::nextafter(std::min(bounds[axis], value), -infinity);
-            bounds[axis + 3] = std::nextafter(std::max(bounds[axis + 3], value), infinity);
-        }
-        struct Search {
-            const Scene& scene;
-            const std::vector<bool>& apart_from_receiver;
-            const std::vector<bool>& apart_from_patch;
-            std::vector<PieceId> found;
-        } search{scene_, around(receiver).apart, around(patch.root).apart, {}};
-        candidates_->polygons_in(bounds, {&search, [](void* context, std::int32_t polygon) {
-                                              auto& s = *static_cast<Search*>(context);
-                                              const Polygon& shape = s.scene.polygon(polygon);
-                                              for (std::uint32_t k = 0; k < shape.piece_count; ++k) {
-                                                  const std::size_t piece = shape.first_piece + k;
-                                                  if (!s.apart_from_receiver[piece] && !s.apart_from_patch[piece])
-                                                      s.found.push_back(static_cast<PieceId>(piece));
-                                              }
-                                              return true;
-                                          }});
-        std::sort(search.found.begin(), search.found.end());
-        return std::move(search.found);
-    }
-
     const Scene& scene_;
     const Roots& roots_;
-    std::unique_ptr<CandidateSource> candidates_;
-    std::vector<SystemRoot> around_;    ///< By root.
-    std::vector<SystemPatch> patches_;  ///< Patch k is polygon k after those of the scene.
-    std::unique_ptr<Scene> together_;   ///< The scene, and the patches.
+    int exponent_;
+    Planes planes_;
+    Between between_;
+    std::vector<std::vector<PieceId>> on_top_;  ///< By root: what lies on top of it in its plane.
+    std::vector<SystemPatch> patches_;          ///< Patch k is polygon k after those of the scene.
+    std::unique_ptr<Scene> together_;           ///< The scene, and the patches.
     std::unique_ptr<PreparedPieces> prepared_;
     Eigen::Matrix<double, Eigen::Dynamic, 3> exitance_;
 };
 
-/// The longest edge, of extent / 2^k, that gives so many patches.
+/// The longest edge, of extent / 2^(k/2), that gives so many patches.
 double edge_for(const Scene& scene, const Roots& roots, std::size_t wanted) {
     double edge = longest_extent(bounds_of(scene));
-    for (int halvings = 0; halvings < 20; ++halvings, edge /= 2) {
+    for (int k = 0; k < 40; ++k, edge /= std::sqrt(2.0)) {
         std::size_t count = 0;
         for (const Root& root : roots.all()) count += patches(scene, root, edge).size();
         if (count >= wanted) break;

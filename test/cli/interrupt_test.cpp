@@ -7,13 +7,17 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 namespace cob {
 namespace {
@@ -57,6 +61,52 @@ TEST(Interrupt, WhatCannotBeWrittenIsTold) {
     const auto run = test::run_program("classify " COB_DATA "/figure2.obj -o " + folder.path());
     EXPECT_EQ(run.code, 2);
     EXPECT_NE(run.error.find("states.csv"), std::string::npos) << run.error;
+}
+
+std::map<std::string, std::string> finished_runs(const std::string& study) {
+    std::map<std::string, std::string> bytes;
+    if (!std::filesystem::exists(study + "/runs")) return bytes;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(study + "/runs"))
+        if (entry.path().extension() == ".csv") bytes[entry.path().string()] = read_file(entry.path().string());
+    return bytes;
+}
+
+// "Progress; interruptible; finished runs are kept and skipped on a rerun": a real signal to a real process.
+TEST(Interrupt, FinishedRunsOfAStudyAreSkippedByTheNext) {
+    const test::TemporaryFolder folder;
+    const std::string study = folder / "study", scene = COB_DATA "/figure2.obj";
+    const std::string arguments =
+        "study " + scene + " --budgets 2 --points 50 --repeats 1 --picture-shots 0 --threads 1 -o " + study;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        const int null = ::open("/dev/null", O_WRONLY);
+        ::dup2(null, 1), ::dup2(null, 2);
+        ::execl("/bin/sh", "sh", "-c", ("exec " COB_PROGRAM " " + arguments).c_str(), static_cast<char*>(nullptr));
+        ::_exit(127);
+    }
+    for (int tries = 0; tries < 10000 && finished_runs(study).size() < 3; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ::kill(child, SIGINT);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    const std::map<std::string, std::string> kept = finished_runs(study);
+    EXPECT_GE(kept.size(), 3u);
+    EXPECT_FALSE(std::filesystem::exists(study + "/study.csv"));
+
+    // The times in them tell whether they were made again.
+    ASSERT_EQ(test::run_program(arguments).code, 0);
+    const std::map<std::string, std::string> all = finished_runs(study);
+    EXPECT_GT(all.size(), kept.size());
+    for (const auto& [file, bytes] : kept) EXPECT_EQ(all.at(file), bytes) << file;
+
+    // All skipped: the same bytes.
+    const std::string table = read_file(study + "/study.csv");
+    ASSERT_EQ(test::run_program(arguments).code, 0);
+    EXPECT_EQ(finished_runs(study), all);
+    EXPECT_EQ(read_file(study + "/study.csv"), table);
 }
 
 /// A process that has ended.
