@@ -228,6 +228,14 @@ Sign orientation(const RationalPoint& a, const RationalPoint& b, const RationalP
 
 Sign orientation_of_direction(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                               const ExactPoint& direction) {
+    // Mostly all lies across one axis, and so does the direction.
+    const bool pairs = !a.has_fraction() && !b.has_fraction() && !c.has_fraction() && !direction.has_fraction();
+    for (int axis = 0; axis < 3 && pairs; ++axis) {
+        const auto level = [&](const ExactPoint& p) {
+            return p.nearest()[axis] == a.nearest()[axis] && p.rest()[axis] == a.rest()[axis];
+        };
+        if (direction.nearest()[axis] == 0 && level(b) && level(c)) return Sign::zero;
+    }
     if (fits_integers(a) && fits_integers(b) && fits_integers(c) && fits_integers(direction)) {
         BitSpan points, directions;  // each with one unit for all its coordinates
         for (int axis = 0; axis < 3; ++axis) {

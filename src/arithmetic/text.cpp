@@ -112,6 +112,16 @@ double to_nearest(const Rational& value) {
 }
 
 std::optional<double> to_binary64(const Rational& value) {
+    // Nearly always up to 53 bits over a power of two, each a word long: margins, heights, parameters of points.
+    const auto& p = *mpq_numref(value.backend().data());
+    const auto& q = *mpq_denref(value.backend().data());
+    if (mpz_size(&p) <= 1 && mpz_size(&q) == 1) {
+        const mp_limb_t over = mpz_getlimbn(&p, 0), under = mpz_getlimbn(&q, 0);
+        if (over >> 53 == 0 && (under & (under - 1)) == 0) {
+            const double magnitude = static_cast<double>(over) / static_cast<double>(under);
+            return mpz_sgn(&p) < 0 ? -magnitude : magnitude;
+        }
+    }
     // GMP truncates, which changes nothing where the value is a binary64 number: the usual case, and a cheap one.
     const double truncated = value.convert_to<double>();
     if (std::isfinite(truncated) && Rational(truncated) == value) return truncated;

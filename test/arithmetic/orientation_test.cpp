@@ -81,6 +81,35 @@ TEST(Orientation, TakesExactPointsOfAnyProvenance) {
     EXPECT_EQ(seen[Stage::rational].size(), 3u);
 }
 
+TEST(Orientation, OfDirectionsIsTheSignOfTheDeterminant) {
+    std::map<Sign, int> seen;
+    int level = 0;
+    for (std::uint64_t index = 0; index < 6000; ++index) {
+        std::mt19937_64 random(index);
+        RationalPoint q[4];  // three points and a direction
+        const int flat = static_cast<int>(random() % 4);
+        for (RationalPoint& point : q)
+            for (int axis = 0; axis < 3; ++axis) {
+                point[axis] = Rational(static_cast<int>(random() % 5) - 2);
+                if (index % 3 == 1) point[axis] += Rational(static_cast<int>(random() % 3)) * Rational(0x1p-70);
+                if (index % 3 == 2) point[axis] += Rational(static_cast<int>(random() % 3), 3);
+                if (axis == flat) point[axis] = &point == q + 3 ? Rational(0) : q[0][axis];
+            }
+        const auto e = q[1] - q[0], f = q[2] - q[0], d = q[3];
+        const Rational determinant =
+            e.x * (f.y * d.z - f.z * d.y) - e.y * (f.x * d.z - f.z * d.x) + e.z * (f.x * d.y - f.y * d.x);
+        const Sign expected = determinant > 0 ? Sign::positive : determinant < 0 ? Sign::negative : Sign::zero;
+        ASSERT_EQ(orientation_of_direction(ExactPoint(q[0]), ExactPoint(q[1]), ExactPoint(q[2]), ExactPoint(q[3])),
+                  expected)
+            << index;
+        ++seen[expected];
+        level += flat < 3;
+    }
+    for (const Sign sign : {Sign::negative, Sign::positive}) EXPECT_GT(seen[sign], 300);
+    EXPECT_GT(seen[Sign::zero], level);  // also where no axis says so
+    EXPECT_GT(level, 3000);
+}
+
 // What binary64 holds of a fraction is rounded relative to the fraction, not to how near another one is.
 TEST(Orientation, FractionsNearerThanAnUlpAreExact) {
     for (int k = 1; k < 200; ++k) {

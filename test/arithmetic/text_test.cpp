@@ -118,6 +118,27 @@ TEST(ToNearest, RoundsToNearestEven) {
     }
 }
 
+TEST(Binary64, IsWhatAFractionEqualsOrNothing) {
+    const auto over = [](long long p, int power) { return Rational(Integer(p), Integer(1) << power); };
+    const long long most = (1LL << 53) - 1;
+    EXPECT_EQ(to_binary64(Rational(0)), 0.0);
+    EXPECT_EQ(to_binary64(Rational(-1, 8)), -0.125);
+    for (const int power : {0, 1, 52, 63, 64, 1074}) {
+        EXPECT_EQ(to_binary64(over(1, power)), std::ldexp(1.0, -power)) << power;
+        EXPECT_EQ(to_binary64(over(-3, power)), std::ldexp(-3.0, -power)) << power;
+    }
+    for (const int power : {0, 1, 52, 63, 64, 1021}) {
+        EXPECT_EQ(to_binary64(over(-most, power)), -std::ldexp(static_cast<double>(most), -power)) << power;
+        EXPECT_EQ(to_binary64(over(most + 1, power)), std::ldexp(1.0, 53 - power)) << power;
+        EXPECT_EQ(to_binary64(over(2 * most + 3, power)), std::nullopt) << power;  // 54 bits, the last of them set
+    }
+    EXPECT_EQ(to_binary64(over(1, 1075)), std::nullopt);
+    EXPECT_EQ(to_binary64(Rational(1, 3)), std::nullopt);
+    EXPECT_EQ(to_binary64(Rational(1, 10)), std::nullopt);
+    EXPECT_EQ(to_binary64(Rational(Integer(1) << 1023)), 0x1p1023);
+    EXPECT_EQ(to_binary64(Rational(Integer(1) << 1024)), std::nullopt);
+}
+
 TEST(ExactPoint, IsExactWhateverItsProvenance) {
     const RationalPoint thirds{Rational(1, 3), Rational(2), Rational(-5, 7)};
     EXPECT_TRUE(ExactPoint(thirds).has_fraction());
