@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 
@@ -33,6 +34,15 @@ inline ProgramResult run_shell(const std::string& command) {
 /// The program with these arguments, again as in a shell.
 inline ProgramResult run_program(const std::string& arguments) {
     return run_shell(COB_PROGRAM " " + arguments);
+}
+
+/// Bytes of all files in a folder and in those inside it, by their paths from there.
+inline std::map<std::string, std::string> bytes_of(const std::string& folder) {
+    std::map<std::string, std::string> bytes;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            bytes[std::filesystem::relative(entry.path(), folder).string()] = read_file(entry.path().string());
+    return bytes;
 }
 
 /// Names in a folder; none where there is no folder.

@@ -8,8 +8,8 @@
 #include "cob/progress.hpp"
 #include "cob/scene.hpp"
 
+#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

@@ -117,10 +117,10 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
     write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
     write_file(base + "exitance.csv", report::solution_csv(solver));
-    write_file(base + "summary.json", report::summary_json(solver, figures));
-    const std::string text = report::summary_text(solver, figures);
-    write_file(base + "summary.txt", text);
-    std::fputs(text.c_str(), stdout);
+    const report::RunSummary summary = report::summarise(solver, figures);
+    write_file(base + "summary.json", summary.json);
+    write_file(base + "summary.txt", summary.text);
+    std::fputs(summary.text.c_str(), stdout);
 }
 
 void run(const Arguments& arguments) {

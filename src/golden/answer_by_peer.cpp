@@ -5,6 +5,7 @@
 #include "golden/cgal_variant.hpp"
 
 #ifdef COB_HAS_EMBREE
+#include "geometry/candidate_list.hpp"
 #include "geometry/embree_triangles.hpp"
 #endif
 
@@ -55,7 +56,6 @@ void answer_by_cgal(const AnswerJob& job, AnswerFiles& files, AnswerSummary& sum
     if (!summary.has_boxes) throw InputError("set without boxes", {job.set, 0, "", "CGAL answers boxes.csv only"});
     const auto cgal = make_cgal_variant(job.scene, job.options.peer);
     OutputFile& file = begin(files, job.answer_path<RelationRow>(), verify::detail::close_header);
-    std::vector<PolygonId> candidates;
     summary.boxes = answer_rows<BoxRow>(job, file, [&](const BoxRow& row, std::string& lines) {
         refuse_unknown_polygon(job.scene, row.question.polygon);
         const Box box(row.question);
@@ -63,13 +63,7 @@ void answer_by_cgal(const AnswerJob& job, AnswerFiles& files, AnswerSummary& sum
         if (!cuboid)
             throw InputError("box is not axis-aligned or has a corner that is no binary64 number",
                              {"", 0, "", "ask CGAL about other boxes, or another variant"});
-        candidates.clear();
-        job.source.polygons_in(box.bounds(), {&candidates, [](void* context, std::int32_t id) {
-                                                  static_cast<std::vector<PolygonId>*>(context)->push_back(id);
-                                                  return true;
-                                              }});
-        std::sort(candidates.begin(), candidates.end());
-        for (const PolygonId id : candidates) {
+        for (const PolygonId id : polygons_in(job.source, box.bounds())) {
             if (id == row.question.polygon || !cgal->meets(id, *cuboid)) continue;
             lines += std::to_string(row.box) + "," + std::to_string(id) + ",1\n";
             ++summary.relations;

@@ -5,6 +5,7 @@
 #include "cob/manifest.hpp"
 #include "cob/tables.hpp"
 #include "cob/verify/recorder.hpp"
+#include "geometry/candidate_list.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,13 +15,8 @@ namespace cob {
 namespace {
 
 std::vector<PolygonId> candidates_of(const BenchSet& set, const Box& box) {
-    std::vector<PolygonId> found;
-    set.candidates->polygons_in(box.bounds(), {&found, [](void* context, std::int32_t id) {
-                                                   static_cast<std::vector<PolygonId>*>(context)->push_back(id);
-                                                   return true;
-                                               }});
+    std::vector<PolygonId> found = polygons_in(*set.candidates, box.bounds());
     found.erase(std::remove(found.begin(), found.end(), box.polygon()), found.end());
-    std::sort(found.begin(), found.end());
     return found;
 }
 

@@ -1,3 +1,4 @@
+#include "geometry/candidate_list.hpp"
 #include "geometry/convex_polygon.hpp"
 #include "golden/band.hpp"
 #include "golden/box_clearance.hpp"
@@ -89,12 +90,8 @@ int BoxBands::operator()(const BoxQuestion& question, Classification& result) {
     const Box box(question);
     const auto& b = box.bounds();
     const Bounds own{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-    near_.clear(), candidates_.clear();
-    source_.polygons_in(grown(b), {&near_, [](void* context, std::int32_t id) {
-                                       static_cast<std::vector<PolygonId>*>(context)->push_back(id);
-                                       return true;
-                                   }});
-    std::sort(near_.begin(), near_.end());
+    near_ = polygons_in(source_, grown(b));
+    candidates_.clear();
     for (const PolygonId id : near_)
         if (bounds_[static_cast<std::size_t>(id)].meets(own)) candidates_.push_back(id);
     classifier_.among(box, {candidates_.data(), candidates_.data() + candidates_.size()}, result);

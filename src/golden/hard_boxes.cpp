@@ -1,5 +1,6 @@
 #include "golden/hard_boxes.hpp"
 
+#include "geometry/candidate_list.hpp"
 #include "geometry/convex_polygon.hpp"
 
 #include <algorithm>
@@ -42,15 +43,9 @@ struct Aim {
 std::optional<Aim> aim(const Questions& questions, const BoxQuestion& question, Dice& dice) {
     BoxQuestion wide = question;
     wide.margin = 1, wide.height = 1;
-    std::vector<PolygonId> near;
-    questions.candidates().polygons_in(Box(wide).bounds(),
-                                       {&near, [](void* context, std::int32_t id) {
-                                            static_cast<std::vector<PolygonId>*>(context)->push_back(id);
-                                            return true;
-                                        }});
+    std::vector<PolygonId> near = polygons_in(questions.candidates(), Box(wide).bounds());
     near.erase(std::remove(near.begin(), near.end(), question.polygon), near.end());
     if (near.empty()) return {};
-    std::sort(near.begin(), near.end());
     const PolygonId polygon = dice.of(near);
     const auto loop = questions.scene().loop(polygon);
     return Aim{polygon, questions.scene().position(loop[dice.below(loop.size())])};

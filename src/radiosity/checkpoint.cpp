@@ -141,7 +141,10 @@ void RadiositySolver::State::resume(const std::string& text) {
                          {"", 0, "", "give those it was made with, or remove it"});
     std::vector<NodeId> again, split_nodes;
     in.list(again);
-    for (const NodeId node : again) mesh->refine(node, split_nodes);
+    for (const NodeId node : again) {
+        if (node < 0 || static_cast<std::size_t>(node) >= mesh->nodes().size()) Reader::damaged();
+        mesh->refine(node, split_nodes);
+    }
     if (split_nodes != again) Reader::damaged();
     splits = again;
     add_cells();
@@ -152,10 +155,13 @@ void RadiositySolver::State::resume(const std::string& text) {
         Rgb exitance{};
         in.value(patch);
         in.value(exitance);
+        if (patch < 0 || patch >= mesh->patch_count()) Reader::damaged();
         shots.push_back(transport->make_shot(patch, exitance));
     }
-    in.list(unshot_flux);
-    in.list(shot_flux);
+    for (std::vector<Rgb>* flux : {&unshot_flux, &shot_flux}) {
+        in.list(*flux);
+        if (flux->size() != static_cast<std::size_t>(mesh->patch_count())) Reader::damaged();
+    }
     std::vector<std::uint8_t> built(cells.size()), root_built(root_buffers.size());
     for (std::size_t k = 0; k < cells.size(); ++k) {
         in.value(cells[k].irradiance);
@@ -167,6 +173,8 @@ void RadiositySolver::State::resume(const std::string& text) {
         in.value(*x);
     in.value(closure_least_patch);
     in.value(closure_most_patch);
+    for (const NodeId patch : {closure_least_patch, closure_most_patch})
+        if (patch < -1 || patch >= mesh->patch_count()) Reader::damaged();
     in.value(counters);
     in.value(times);
     in.end();

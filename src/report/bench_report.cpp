@@ -1,7 +1,7 @@
 #include "report/bench_report.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cob::report {
 
@@ -12,22 +12,18 @@ std::string describe(const BenchMachine& machine) {
 }
 
 std::string line(const BenchRow& row) {
-    char text[160];
-    std::snprintf(text, sizeof text, "%-8s %-11s %-11s %9llu %8llu %9llu %12.1f %12.1f %11llu\n", row.question.c_str(),
-                  row.variant.c_str(), row.kind.c_str(), static_cast<unsigned long long>(row.questions),
-                  static_cast<unsigned long long>(row.wrong), static_cast<unsigned long long>(row.undecided),
-                  row.nanoseconds_min, row.nanoseconds_median, static_cast<unsigned long long>(row.bytes));
-    return text;
+    return printed("%-8s %-11s %-11s %9llu %8llu %9llu %12.1f %12.1f %11llu\n", row.question.c_str(),
+                   row.variant.c_str(), row.kind.c_str(), static_cast<unsigned long long>(row.questions),
+                   static_cast<unsigned long long>(row.wrong), static_cast<unsigned long long>(row.undecided),
+                   row.nanoseconds_min, row.nanoseconds_median, static_cast<unsigned long long>(row.bytes));
 }
 
 }  // namespace
 
 std::string bench_table(const std::vector<BenchRow>& rows, const BenchMachine& machine) {
     std::string text = describe(machine) + "\n";
-    char header[160];
-    std::snprintf(header, sizeof header, "%-8s %-11s %-11s %9s %8s %9s %12s %12s %11s\n", "question", "variant", "kind",
-                  "questions", "wrong", "undecided", "ns min", "ns median", "bytes");
-    text += header;
+    text += printed("%-8s %-11s %-11s %9s %8s %9s %12s %12s %11s\n", "question", "variant", "kind", "questions",
+                    "wrong", "undecided", "ns min", "ns median", "bytes");
     for (const bool sums : {true, false})
         for (const BenchRow& row : rows)
             if ((row.kind == "all") == sums) text += line(row);
@@ -38,12 +34,10 @@ std::string bench_csv(const std::vector<BenchRow>& rows, const BenchMachine& mac
     std::string text =
         "# " + describe(machine) + "\nquestion,variant,kind,questions,wrong,undecided,ns_min,ns_median,bytes\n";
     for (const BenchRow& row : rows) {
-        char numbers[160];
-        std::snprintf(numbers, sizeof numbers, "%llu,%llu,%llu,%.1f,%.1f,%llu\n",
-                      static_cast<unsigned long long>(row.questions), static_cast<unsigned long long>(row.wrong),
-                      static_cast<unsigned long long>(row.undecided), row.nanoseconds_min, row.nanoseconds_median,
-                      static_cast<unsigned long long>(row.bytes));
-        text += row.question + "," + row.variant + "," + row.kind + "," + numbers;
+        text += row.question + "," + row.variant + "," + row.kind + "," +
+                printed("%llu,%llu,%llu,%.1f,%.1f,%llu\n", static_cast<unsigned long long>(row.questions),
+                        static_cast<unsigned long long>(row.wrong), static_cast<unsigned long long>(row.undecided),
+                        row.nanoseconds_min, row.nanoseconds_median, static_cast<unsigned long long>(row.bytes));
     }
     return text;
 }

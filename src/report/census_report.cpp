@@ -1,6 +1,7 @@
 #include "report/census_report.hpp"
 
 #include "report/omissions_report.hpp"
+#include "report/text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -36,8 +37,7 @@ std::string ranges(const std::vector<PolygonId>& ids) {
 
 /// One line of the report: a title in a column, then what there is to say.
 std::string row(const std::string& title, const std::string& text) {
-    constexpr std::size_t column = 28;
-    return title + std::string(title.size() < column ? column - title.size() : 1, ' ') + text + "\n";
+    return titled_line(title, 28, text);
 }
 
 /// A count and the polygons that it counts.

@@ -8,7 +8,6 @@
 #include "report/claims_bench.hpp"
 
 #include <algorithm>
-#include <cstdarg>
 #include <cstdio>
 #include <limits>
 #include <numeric>
@@ -79,15 +78,6 @@ std::vector<ClaimResult> measure_claims(const std::vector<std::string>& ids, con
 }
 
 namespace claims {
-
-std::string text(const char* format, ...) {
-    char buffer[512];
-    std::va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(buffer, sizeof buffer, format, arguments);
-    va_end(arguments);
-    return buffer;
-}
 
 // ------------------------------------------------------------------------------------------------ the bench
 

@@ -84,7 +84,4 @@ std::vector<Claim> run_claims();
 std::vector<Claim> buffer_claims();
 std::vector<Claim> sight_claims();
 
-/// printf into a string.
-[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
-
 }  // namespace cob::claims

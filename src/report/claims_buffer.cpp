@@ -1,13 +1,14 @@
 // Claims about buffers alone: what they hold and what building them costs. No light is needed for these.
 #include "arithmetic/process.hpp"
 #include "cob/classify.hpp"
+#include "geometry/candidate_list.hpp"
 #include "geometry/relation_alone.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/claims_bench.hpp"
 #include "report/stress_scene.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace cob::claims {
@@ -60,8 +61,7 @@ struct ClassifyTime {
     double microseconds() const { return 1e6 * seconds / static_cast<double>(elements); }
 };
 
-ClassifyTime classify_time(const ElementList& elements, Source source, BufferLevels levels, double least_seconds,
-                           std::uint64_t most) {
+ClassifyTime classify_time(const ElementList& elements, Source source, BufferLevels levels, double least_seconds) {
     const auto candidates = make_candidates(elements.scene(), source);
     const ClassifyOptions options = states_only(levels);
     ClassifiedElement found;
@@ -72,7 +72,7 @@ ClassifyTime classify_time(const ElementList& elements, Source source, BufferLev
     ElementClassifier classifier(elements, *candidates, options);
     ClassifyTime time;
     const double before = processor_seconds();
-    for (std::uint64_t k = 0; k < std::min(most, elements.size()); ++k) {
+    for (std::uint64_t k = 0; k < elements.size(); ++k) {
         classifier(k, found);
         ++time.elements;
         if (k % 64 == 63) {
@@ -87,13 +87,13 @@ ClassifyTime classify_time(const ElementList& elements, Source source, BufferLev
 void two_levels(Bench& bench, ClaimResult& result) {
     std::vector<BufferScene> scenes = shipped(bench, {"figure7", "open_box", "desk", "office", "hall"});
     const Scene made = floor_of_details(bench.quick() ? 8 : 50);
-    scenes.push_back({text("one floor under %d details", made.polygon_count() - 2), &made, {1, 1}});
+    scenes.push_back({printed("one floor under %d details", made.polygon_count() - 2), &made, {1, 1}});
     for (const BufferScene& s : scenes) {
         const Roots roots(*s.scene);
         const ElementList elements(*s.scene, roots, s.meshing);
         const double seconds = bench.quick() ? 0.02 : 0.5;
         const auto measure = [&](Source source, BufferLevels levels) {
-            return classify_time(elements, source, levels, seconds, elements.size()).microseconds();
+            return classify_time(elements, source, levels, seconds).microseconds();
         };
         const double one = measure(Source::cgal, BufferLevels::element);
         const double two = measure(Source::cgal, BufferLevels::polygon);
@@ -103,8 +103,8 @@ void two_levels(Bench& bench, ClaimResult& result) {
         c.scene = s.name;
         c.value = std::min({one, octree, brute}) / two;
         c.holds = c.value > 1;
-        c.measured = text("microseconds an element: two levels %.2f, one level %.2f, octree %.2f, brute force %.2f",
-                          two, one, octree, brute);
+        c.measured = printed("microseconds an element: two levels %.2f, one level %.2f, octree %.2f, brute force %.2f",
+                             two, one, octree, brute);
         result.cases.push_back(std::move(c));
         bench.tick();
     }
@@ -150,15 +150,15 @@ void neighbours_alike(Bench& bench, ClaimResult& result) {
         by_state.scene = s.name + ", states";
         by_state.value = static_cast<double>(same_state) / static_cast<double>(pairs);
         by_state.holds = by_state.value >= 0.8;
-        by_state.measured =
-            text("%.1f %% of %llu pairs have one state", 100 * by_state.value, static_cast<unsigned long long>(pairs));
+        by_state.measured = printed("%.1f %% of %llu pairs have one state", 100 * by_state.value,
+                                    static_cast<unsigned long long>(pairs));
         result.cases.push_back(std::move(by_state));
         ClaimCase by_list;
         by_list.scene = s.name + ", lists";
         by_list.value = with_list > 0 ? alike / static_cast<double>(with_list) : 1;
         by_list.holds = by_list.value >= 0.5;
-        by_list.measured = text("of %llu pairs that store polygons each shares %.0f %% of them on average",
-                                static_cast<unsigned long long>(with_list), 100 * by_list.value);
+        by_list.measured = printed("of %llu pairs that store polygons each shares %.0f %% of them on average",
+                                   static_cast<unsigned long long>(with_list), 100 * by_list.value);
         result.cases.push_back(std::move(by_list));
         bench.tick();
     }
@@ -179,14 +179,9 @@ void cover_test(Bench& bench, ClaimResult& result) {
             const Element element = elements[k];
             boxes.emplace_back(
                 box_question(*s.scene, elements.root_of(element), element, Rational(1, 8), Rational(1, 4)));
-            named.emplace_back();
-            candidates->polygons_in(boxes.back().bounds(),
-                                    {&named.back(), [](void* context, std::int32_t polygon) {
-                                         static_cast<std::vector<PolygonId>*>(context)->push_back(polygon);
-                                         return true;
-                                     }});
+            named.push_back(polygons_in(*candidates, boxes.back().bounds()));
         }
-        std::uint64_t tested = 0, close = 0, covering = 0;
+        std::uint64_t tested = 0, close = 0;
         const auto all = [&](bool with_cover) {
             const double before = processor_seconds();
             tested = close = 0;
@@ -194,11 +189,9 @@ void cover_test(Bench& bench, ClaimResult& result) {
                 for (const PolygonId polygon : named[b]) {
                     if (polygon == boxes[b].polygon()) continue;
                     ++tested;
-                    if (with_cover) {
-                        covering += relate(*s.scene, polygon, boxes[b]).covers ? 1 : 0;
-                    } else {
-                        close += is_close(relation_alone(*s.scene, polygon, boxes[b])) ? 1 : 0;
-                    }
+                    const Relation relation = with_cover ? relate(*s.scene, polygon, boxes[b]).relation
+                                                         : relation_alone(*s.scene, polygon, boxes[b]);
+                    close += is_close(relation) ? 1 : 0;
                 }
             return processor_seconds() - before;
         };
@@ -213,8 +206,8 @@ void cover_test(Bench& bench, ClaimResult& result) {
         c.value = with / without - 1;
         c.holds = c.value <= 0.1;
         c.measured =
-            text("%.1f %% on top of the relation: %llu of %llu candidates are close and tested for it", 100 * c.value,
-                 static_cast<unsigned long long>(close), static_cast<unsigned long long>(tested));
+            printed("%.1f %% on top of the relation: %llu of %llu candidates are close and tested for it",
+                    100 * c.value, static_cast<unsigned long long>(close), static_cast<unsigned long long>(tested));
         result.cases.push_back(std::move(c));
         bench.tick();
     }
@@ -265,10 +258,10 @@ void sheets_cost_one(Bench& bench, ClaimResult& result) {
             leaves += node.is_leaf() ? 1 : 0;
         }
         ClaimCase c;
-        c.scene = text("sheet %g above the table, patches of 1/16", height);
+        c.scene = printed("sheet %g above the table, patches of 1/16", height);
         c.value = static_cast<double>(built) / static_cast<double>(std::max<std::size_t>(1, patches));
         c.holds = patches > 0 && c.value <= 1;
-        c.measured = text(
+        c.measured = printed(
             "%zu patches with their margin under the sheet: %zu buffers built in them in %lld shots, %zu elements left",
             patches, built, static_cast<long long>(solver.counters().shots), leaves);
         result.cases.push_back(std::move(c));

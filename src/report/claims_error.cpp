@@ -1,8 +1,8 @@
 // Claims about the error of direct light, beside the exact irradiance.
 #include "report/claims_bench.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cob::claims {
 namespace {
@@ -56,7 +56,7 @@ void detail_shadows(Bench& bench, ClaimResult& result) {
         const double memory = static_cast<double>(uniform.peak_bytes) /
                               static_cast<double>(std::max<std::uint64_t>(1, buffer.peak_bytes));
         c.holds = c.value >= 2 && time >= 5 && (memory >= 2 || bench.quick());
-        c.measured = text(
+        c.measured = printed(
             "L2 error %.2f %% without, %.2f %% with the buffer (%lld elements), %.2f %% on the uniform mesh of the "
             "smallest edge (%lld elements), which takes %.1f times the time and %.1f times the memory",
             100 * error_in(none), 100 * error_in(buffer), static_cast<long long>(buffer.elements),
@@ -80,11 +80,11 @@ void gradient_misses(Bench& bench, ClaimResult& result) {
             plot.curves[k].points.push_back({widths, errors[k]});
         }
         ClaimCase c;
-        c.scene = text("pencil on the desk, patches %.3g pencils wide", widths);
+        c.scene = printed("pencil on the desk, patches %.3g pencils wide", widths);
         c.value = errors[1] / errors[0];
         c.holds = errors[1] > 0.8 * errors[0] && errors[2] < 0.8 * errors[0];
-        c.measured = text("L2 error around the pencil: none %.1f %%, gradient %.1f %%, buffer %.1f %%", 100 * errors[0],
-                          100 * errors[1], 100 * errors[2]);
+        c.measured = printed("L2 error around the pencil: none %.1f %%, gradient %.1f %%, buffer %.1f %%",
+                             100 * errors[0], 100 * errors[1], 100 * errors[2]);
         result.cases.push_back(std::move(c));
     }
     result.plot = std::move(plot);
@@ -100,9 +100,9 @@ void fine_mesh_oversamples(Bench& bench, ClaimResult& result) {
         c.value = static_cast<double>(uniform.elements) / static_cast<double>(both.elements);
         c.holds = c.value >= 2 && error_in(both) <= 1.25 * error_in(uniform);
         c.measured =
-            text("uniform: %lld elements, L2 error %.2f %%; both refinements, same smallest edge: %lld, %.2f %%",
-                 static_cast<long long>(uniform.elements), 100 * error_in(uniform),
-                 static_cast<long long>(both.elements), 100 * error_in(both));
+            printed("uniform: %lld elements, L2 error %.2f %%; both refinements, same smallest edge: %lld, %.2f %%",
+                    static_cast<long long>(uniform.elements), 100 * error_in(uniform),
+                    static_cast<long long>(both.elements), 100 * error_in(both));
         result.cases.push_back(std::move(c));
     }
 }
@@ -139,8 +139,8 @@ void independent_of_mesh(Bench& bench, ClaimResult& result) {
         c.value = most / least;
         c.holds = c.value <= 1.5;
         c.measured =
-            text("L2 error over patches of 4, 2, 1, 1/2: %.2f to %.2f %%; with gradients alone %.2f to %.2f %%",
-                 100 * least, 100 * most, 100 * gradient_least, 100 * gradient_most);
+            printed("L2 error over patches of 4, 2, 1, 1/2: %.2f to %.2f %%; with gradients alone %.2f to %.2f %%",
+                    100 * least, 100 * most, 100 * gradient_least, 100 * gradient_most);
         result.cases.push_back(std::move(c));
     }
     result.plot = std::move(plot);

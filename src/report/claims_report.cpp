@@ -3,10 +3,10 @@
 #include "cob/files.hpp"
 #include "report/gnuplot.hpp"
 #include "report/page.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace cob::report {
 namespace {
@@ -33,9 +33,7 @@ std::string counts(const std::vector<ClaimResult>& results) {
 }
 
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
+    return printed("%.4g", value);
 }
 
 Table summary_table(const std::vector<ClaimResult>& results) {

@@ -6,6 +6,7 @@
 #include "report/claims_bench.hpp"
 #include "report/stress_scene.hpp"
 #include "report/study_points.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,7 @@ void secondary_shooters(Bench& bench, ClaimResult& result) {
     c.scene = "a room lit by its ceiling alone, made in code";
     c.value = errors[0] / errors[1];
     c.holds = c.value >= 1.5 && direct == 0;
-    c.measured = text(
+    c.measured = printed(
         "around the sheet: direct light %g, L2 error %.1f %% without and %.1f %% with the buffer, which "
         "made %zu floor elements of %zu",
         direct, 100 * errors[0], 100 * errors[1], on_floor[1], on_floor[0]);
@@ -132,8 +133,8 @@ void one_for_all_lights(Bench& bench, ClaimResult& result) {
         c.scene = name;
         c.value = static_cast<double>(apart) / static_cast<double>(std::max<std::size_t>(1, together));
         c.holds = lights.size() > 1 && c.value >= 1.2;
-        c.measured = text("%zu lights: %zu buffers for all of them together, %zu for each light by itself",
-                          lights.size(), together, apart);
+        c.measured = printed("%zu lights: %zu buffers for all of them together, %zu for each light by itself",
+                             lights.size(), together, apart);
         result.cases.push_back(std::move(c));
     }
 }
@@ -149,11 +150,12 @@ void on_demand(Bench& bench, ClaimResult& result) {
             before = shots;
             const std::int64_t nodes = run.shot_nodes[shots - 1], built = run.shot_buffers[shots - 1];
             ClaimCase c;
-            c.scene = name + text(", %zu shots", shots);
+            c.scene = name + printed(", %zu shots", shots);
             c.value = static_cast<double>(nodes) / static_cast<double>(std::max<std::int64_t>(1, built));
             c.holds = c.value >= 1.2;
-            c.measured = text("%lld buffers built, those over whole polygons included, for %lld elements of all levels",
-                              static_cast<long long>(built), static_cast<long long>(nodes));
+            c.measured =
+                printed("%lld buffers built, those over whole polygons included, for %lld elements of all levels",
+                        static_cast<long long>(built), static_cast<long long>(nodes));
             result.cases.push_back(std::move(c));
         }
     }
@@ -167,7 +169,7 @@ void bytes_an_element(Bench& bench, ClaimResult& result) {
         c.value = static_cast<double>(run.buffer_bytes) / static_cast<double>(run.nodes);
         c.holds = c.value <= 5;
         c.measured =
-            text("%zu bytes for each buffer, with its lists %.2f an element", sizeof(CloseObjectBuffer), c.value);
+            printed("%zu bytes for each buffer, with its lists %.2f an element", sizeof(CloseObjectBuffer), c.value);
         result.cases.push_back(std::move(c));
     }
 }
@@ -187,11 +189,12 @@ ClaimCase buffer_share(const Scene& scene, const std::string& name, const RunRec
     const double total = run.times.total(), others = total - run.times.shooting;
     const double fast = 1e-9 * fastest_segment(scene) * static_cast<double>(run.counters.segments);
     ClaimCase c;
-    c.scene = name + text(", %lld shots", static_cast<long long>(run.counters.shots));
+    c.scene = name + printed(", %lld shots", static_cast<long long>(run.counters.shots));
     c.value = run.times.buffer / total;
     c.holds = c.value < 0.02;
-    c.measured = text("%.2f %% of %.3f s, %zu elements; were segments as fast as Embree's own, %.2f %%", 100 * c.value,
-                      total, run.elements, 100 * run.times.buffer / (others + std::min(fast, run.times.shooting)));
+    c.measured =
+        printed("%.2f %% of %.3f s, %zu elements; were segments as fast as Embree's own, %.2f %%", 100 * c.value, total,
+                run.elements, 100 * run.times.buffer / (others + std::min(fast, run.times.shooting)));
     return c;
 }
 
@@ -224,9 +227,9 @@ void first_slower(Bench& bench, ClaimResult& result) {
         c.value = sum(0, tenth) / sum(count / 2, count);
         c.holds = c.value >= 1.2;
         c.measured =
-            text("a shot takes %.2f ms in the first tenth, %.2f ms in the second half, on %lld and %lld elements",
-                 1e3 * sum(0, tenth), 1e3 * sum(count / 2, count), static_cast<long long>(run.shot_elements.front()),
-                 static_cast<long long>(run.shot_elements.back()));
+            printed("a shot takes %.2f ms in the first tenth, %.2f ms in the second half, on %lld and %lld elements",
+                    1e3 * sum(0, tenth), 1e3 * sum(count / 2, count), static_cast<long long>(run.shot_elements.front()),
+                    static_cast<long long>(run.shot_elements.back()));
         ClaimCurve curve{name, {}};
         for (std::size_t k = 0; k < count; ++k)
             curve.points.push_back(
@@ -258,7 +261,7 @@ WithAndWithout step_1(Bench& bench, const std::string& name) {
         for (const bool skip : {true, false}) {
             options.buffer.skip_occluded = skip;
             const RunRecord& run =
-                bench.run_once(name + text(", step 1 %s, %d", skip ? "on" : "off", repeat), scene, options);
+                bench.run_once(name + printed(", step 1 %s, %d", skip ? "on" : "off", repeat), scene, options);
             double& seconds = skip ? result.seconds_with : result.seconds_without;
             seconds = repeat == 0 ? run.processor_seconds : std::min(seconds, run.processor_seconds);
             (skip ? result.with : result.without) = run;
@@ -278,8 +281,9 @@ void step_1_saves(Bench& bench, ClaimResult& result) {
         c.scene = name;
         c.value = std::min(form_factors, segments);
         c.holds = c.value >= 0.01;
-        c.measured = text("%zu of %zu elements occluded; spares %.1f %% of the form factors, %.1f %% of the segments",
-                          runs.with.occluded, runs.with.elements, 100 * form_factors, 100 * segments);
+        c.measured =
+            printed("%zu of %zu elements occluded; spares %.1f %% of the form factors, %.1f %% of the segments",
+                    runs.with.occluded, runs.with.elements, 100 * form_factors, 100 * segments);
         result.cases.push_back(std::move(c));
     }
 }
@@ -291,9 +295,9 @@ void occluded_speed_up(Bench& bench, ClaimResult& result) {
         c.scene = name;
         c.value = runs.seconds_without / runs.seconds_with;
         c.holds = runs.with.occluded > 0 && c.value >= 1.05;
-        c.measured =
-            text("%.1f ms skipping occluded elements (%zu of %zu), %.1f ms shooting at them: %.2f times",
-                 1e3 * runs.seconds_with, runs.with.occluded, runs.with.elements, 1e3 * runs.seconds_without, c.value);
+        c.measured = printed("%.1f ms skipping occluded elements (%zu of %zu), %.1f ms shooting at them: %.2f times",
+                             1e3 * runs.seconds_with, runs.with.occluded, runs.with.elements,
+                             1e3 * runs.seconds_without, c.value);
         result.cases.push_back(std::move(c));
     }
 }

@@ -5,6 +5,7 @@
 #include "report/claims_bench.hpp"
 #include "report/stress_scene.hpp"
 #include "report/study_points.hpp"
+#include "report/text.hpp"
 #include "report/truth_report.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ Scene half_plane(double light_width, double light_height, double occluder_height
     return scene_of(shapes);
 }
 
-/// Where along x the seen share of the light passes from `at_most` to more: bisection.
+/// Where along x the seen share of the light passes from at most `share` to more: bisection.
 double switch_at(const IrradianceOracle& oracle, double low, double high, double share) {
     for (int step = 0; step < 48; ++step) {
         const double middle = (low + high) / 2;
@@ -65,11 +66,11 @@ void penumbra(Bench& bench, ClaimResult& result) {
                 plot.curves[1].points.push_back({h / above, foretold});
             }
             ClaimCase c;
-            c.scene = text("half-plane at h = H / %g under a light %s the floor", above / h,
-                           tilt == 0 ? "parallel to" : "at 45 degrees to");
+            c.scene = printed("half-plane at h = H / %g under a light %s the floor", above / h,
+                              tilt == 0 ? "parallel to" : "at 45 degrees to");
             c.value = std::fabs(width / foretold - 1);
             c.holds = c.value < 1e-3;
-            c.measured = text("width %.6g, formula %.6g: %.2g %% apart", width, foretold, 100 * c.value);
+            c.measured = printed("width %.6g, formula %.6g: %.2g %% apart", width, foretold, 100 * c.value);
             result.cases.push_back(std::move(c));
             bench.tick();
         }
@@ -128,7 +129,7 @@ void tangential(Bench& bench, ClaimResult& result) {
         c.scene = name;
         c.value = most / mean;
         c.holds = c.value <= 0.05;
-        c.measured = text(
+        c.measured = printed(
             "%zu occluded elements, %zu of them lit all the same: %.2f %% of the scene's mean irradiance at "
             "most, %.2f %% on average",
             occluded, lit, 100 * c.value, 100 * sum / static_cast<double>(occluded) / mean);
@@ -156,7 +157,7 @@ void in_vain(Bench& bench, ClaimResult& result) {
         c.scene = name;
         c.value = truth.close > 0 ? static_cast<double>(truth.refined_in_vain) / static_cast<double>(truth.close) : 0;
         c.holds = c.value <= 0.1;
-        c.measured = text(
+        c.measured = printed(
             "%llu of %llu elements that the buffer refines have no shadow boundary (%.0f %%); of all %llu "
             "elements that is %.1f %%",
             static_cast<unsigned long long>(truth.refined_in_vain), static_cast<unsigned long long>(truth.close),

@@ -1,9 +1,8 @@
 #include "report/classify_summary.hpp"
 
 #include "report/omissions_report.hpp"
+#include "report/text.hpp"
 #include "scene/json_text.hpp"
-
-#include <cstdio>
 
 namespace cob {
 namespace {
@@ -26,15 +25,6 @@ std::uint64_t total(const ClassifyStatistics& statistics) {
     return sum;
 }
 
-/// One line: a title, then values in the manner of printf.
-template <class... Values>
-void line(std::string& text, const char* format, Values... values) {
-    char buffer[200];
-    std::snprintf(buffer, sizeof buffer, format, values...);
-    text += buffer;
-    text += '\n';
-}
-
 }  // namespace
 
 std::string to_text(const ClassifySummary& summary) {
@@ -46,30 +36,30 @@ std::string to_text(const ClassifySummary& summary) {
     const auto whole = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
 
     std::string text;
-    line(text, "polygons            %llu, skipped %llu", whole(summary.polygons), whole(summary.skipped));
-    line(text, "elements            %llu", whole(elements));
+    text += printed("polygons            %llu, skipped %llu\n", whole(summary.polygons), whole(summary.skipped));
+    text += printed("elements            %llu\n", whole(elements));
     for (const BufferState state : {BufferState::empty, BufferState::close, BufferState::occluded})
-        line(text, "  %-17s %llu (%.2f %%)", to_text(state), whole(count(s, state)), percent(count(s, state)));
+        text += printed("  %-17s %llu (%.2f %%)\n", to_text(state), whole(count(s, state)), percent(count(s, state)));
     if (summary.parameters.at("mode") == "inherit")
-        line(text, "  inherited         %llu, of which %llu are not occluded: inherited.csv", whole(s.inherited),
-             whole(s.inherited_otherwise));
-    line(text, "buffers around      %llu", whole(s.around));
-    line(text, "candidates tested   %llu, %.3f an element", whole(s.tested), ratio(s.tested, elements));
+        text += printed("  inherited         %llu, of which %llu are not occluded: inherited.csv\n", whole(s.inherited),
+                        whole(s.inherited_otherwise));
+    text += printed("buffers around      %llu\n", whole(s.around));
+    text += printed("candidates tested   %llu, %.3f an element\n", whole(s.tested), ratio(s.tested, elements));
     if (s.compared > 0)
-        line(text, "  to compare        %llu, %.3f an element", whole(s.compared), ratio(s.compared, elements));
+        text += printed("  to compare        %llu, %.3f an element\n", whole(s.compared), ratio(s.compared, elements));
     const std::uint64_t decisions = p.filtered + p.integer + p.rational;
-    line(text, "predicates          %llu filtered (%.2f %%), %llu integer, %llu rational", whole(p.filtered),
-         100 * ratio(p.filtered, decisions), whole(p.integer), whole(p.rational));
-    line(text, "facing tests        %llu of lights", whole(s.light_tests));
+    text += printed("predicates          %llu filtered (%.2f %%), %llu integer, %llu rational\n", whole(p.filtered),
+                    100 * ratio(p.filtered, decisions), whole(p.integer), whole(p.rational));
+    text += printed("facing tests        %llu of lights\n", whole(s.light_tests));
     if (summary.omissions) text += left_out_rows(*summary.omissions, 20);
-    line(text, "time                read %.3f s, mesh %.3f s, tree %.3f s, classify %.3f s", summary.read_seconds,
-         summary.mesh_seconds, summary.tree_seconds, summary.classify_seconds);
-    line(text, "  an element        %.3f us, %.3f us of processor time", 1e6 * ratio(summary.classify_seconds, n),
-         1e6 * ratio(summary.processor_seconds, n));
-    line(text, "buffers             %.2f bytes each, lists %.2f bytes an element",
-         ratio(summary.result.buffer_bytes, elements), ratio(summary.result.list_bytes, elements));
-    line(text, "memory              %.1f MB at most, %.1f MB of it the tree",
-         static_cast<double>(summary.peak_bytes) / 1e6, static_cast<double>(summary.tree_bytes) / 1e6);
+    text += printed("time                read %.3f s, mesh %.3f s, tree %.3f s, classify %.3f s\n",
+                    summary.read_seconds, summary.mesh_seconds, summary.tree_seconds, summary.classify_seconds);
+    text += printed("  an element        %.3f us, %.3f us of processor time\n",
+                    1e6 * ratio(summary.classify_seconds, n), 1e6 * ratio(summary.processor_seconds, n));
+    text += printed("buffers             %.2f bytes each, lists %.2f bytes an element\n",
+                    ratio(summary.result.buffer_bytes, elements), ratio(summary.result.list_bytes, elements));
+    text += printed("memory              %.1f MB at most, %.1f MB of it the tree\n",
+                    static_cast<double>(summary.peak_bytes) / 1e6, static_cast<double>(summary.tree_bytes) / 1e6);
     return text;
 }
 

@@ -1,8 +1,8 @@
 #include "report/disagreement_report.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -105,22 +105,17 @@ std::string disagreement_table(const Scene& scene, const std::vector<EmbreeDisag
     std::map<std::string, std::array<int, 3>> counts;
     for (const EmbreeDisagreement& d : disagreements) ++counts[d.kind][d.blocked ? (d.at_end ? 0u : 1u) : 2u];
     std::string text = "Embree's triangles against the exact answers\n";
-    char row[160];
-    std::snprintf(row, sizeof row, "%-11s %22s %20s %15s\n", "kind", "blocked, missed at end", "blocked, missed else",
-                  "clear, yet hit");
-    text += row;
-    for (const auto& [kind, count] : counts) {
-        std::snprintf(row, sizeof row, "%-11s %22d %20d %15d\n", kind.c_str(), count[0], count[1], count[2]);
-        text += row;
-    }
+    text +=
+        printed("%-11s %22s %20s %15s\n", "kind", "blocked, missed at end", "blocked, missed else", "clear, yet hit");
+    for (const auto& [kind, count] : counts)
+        text += printed("%-11s %22d %20d %15d\n", kind.c_str(), count[0], count[1], count[2]);
     for (const EmbreeDisagreement& worst : worst_of_each_kind(disagreements)) {
         text += "the worst of kind " + worst.kind + ": from";
         for (const ExactPoint* end : {&worst.segment.from, &worst.segment.to}) {
             if (end == &worst.segment.to) text += " to";
             for (int axis = 0; axis < 3; ++axis) text += " " + to_text(end->nearest()[axis]);
         }
-        std::snprintf(row, sizeof row, ", %.2g from its nearest side or end\n", worst.clearance);
-        text += ": " + in_words(scene, worst) + row;
+        text += ": " + in_words(scene, worst) + printed(", %.2g from its nearest side or end\n", worst.clearance);
     }
     return text;
 }

@@ -1,10 +1,11 @@
 #include "report/explain.hpp"
 
+#include "geometry/candidate_list.hpp"
 #include "report/box_coordinates.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
@@ -12,9 +13,7 @@ namespace cob {
 namespace {
 
 std::string rounded(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
+    return printed("%.6g", value);
 }
 
 /// "1/3 (about 0.333333)", and alone what is short anyway.
@@ -38,7 +37,7 @@ std::string rounded_vector(const RationalPoint& v) {
     return text == vector_text(v) ? "" : " about " + text;
 }
 
-/// " is below ", " is " or " is above ": a comparison that decides something.
+/// " < ", " = " or " > ": a comparison that decides something.
 const char* against(const Rational& value, const Rational& limit) {
     return value < limit ? " < " : value == limit ? " = " : " > ";
 }
@@ -110,12 +109,7 @@ private:
     }
 
     void polygons(const CandidateSource& source, const Classification& found) {
-        std::vector<PolygonId> near;
-        source.polygons_in(box_.bounds(), {&near, [](void* context, std::int32_t id) {
-                                               static_cast<std::vector<PolygonId>*>(context)->push_back(id);
-                                               return true;
-                                           }});
-        std::sort(near.begin(), near.end());
+        const std::vector<PolygonId> near = polygons_in(source, box_.bounds());
         line("");
         line("Polygons whose bounds meet those of the box; heights as (z/h)^2 with the sign of z, so 1 is the top:");
         std::size_t next = 0;

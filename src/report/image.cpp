@@ -8,9 +8,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 
 namespace cob::report {
+
+Colour colour_of(BufferState state) {
+    switch (state) {
+        case BufferState::uninitialised:
+            return {158, 158, 158};
+        case BufferState::empty:
+            return {86, 180, 233};
+        case BufferState::close:
+            return {230, 159, 0};
+        case BufferState::occluded:
+            return {120, 28, 80};
+    }
+    return {};
+}
 
 Image beside(const Image& left, const Image& right) {
     constexpr int bar = 8;

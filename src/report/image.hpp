@@ -2,6 +2,8 @@
 /// Pictures in memory and as PNG files.
 #pragma once
 
+#include "cob/classification.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -10,6 +12,9 @@
 namespace cob::report {
 
 using Colour = std::array<std::uint8_t, 3>;  ///< sRGB.
+
+/// The colour that stands for a state in pictures and meshes.
+Colour colour_of(BufferState state);
 
 /// Rows from the top, pixels from the left.
 struct Image {
@@ -25,7 +30,7 @@ struct Image {
     const Colour& at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 
-/// Two pictures of one height beside each other, a light bar between them.
+/// Two pictures beside each other, a light bar between them.
 Image beside(const Image& left, const Image& right);
 
 /// The bytes of a PNG file; the same for the same picture.

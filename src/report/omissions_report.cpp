@@ -1,21 +1,15 @@
 #include "report/omissions_report.hpp"
+#include "report/text.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace cob {
-namespace {
-
-std::string row(const std::string& title, std::size_t column, const std::string& text) {
-    return title + std::string(title.size() < column ? column - title.size() : 1, ' ') + text + "\n";
-}
-
-}  // namespace
-
 std::string left_out_rows(const Omissions& omissions, std::size_t column) {
     std::string text;
     for (const Omissions::Decision& d : omissions.decisions())
         if (d.possible)
-            text += row(d.kept ? "kept" : "left out", column, std::string(to_text(d.omission)) + ": " + d.reason);
+            text +=
+                titled_line(d.kept ? "kept" : "left out", column, std::string(to_text(d.omission)) + ": " + d.reason);
     return text;
 }
 
@@ -24,7 +18,7 @@ std::string omission_rows(const Omissions& omissions) {
     for (const bool possible : {true, false}) {
         text += possible ? "would be left out\n" : "would not be left out\n";
         for (const Omissions::Decision& d : omissions.decisions())
-            if (d.possible == possible) text += "  " + row(to_text(d.omission), 10, d.reason);
+            if (d.possible == possible) text += "  " + titled_line(to_text(d.omission), 10, d.reason);
     }
     return text;
 }

@@ -2,6 +2,7 @@
 
 #include "cob/error.hpp"
 #include "cob/files.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 
@@ -17,13 +18,6 @@ constexpr const char* style =
 
 bool ends_with(const std::string& text, std::string_view end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::string csv_cell(const std::string& cell) {
-    if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
-    std::string quoted = "\"";
-    for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
 }
 
 std::string csv_row(const std::vector<std::string>& cells) {

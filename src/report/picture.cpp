@@ -142,20 +142,6 @@ double automatic_exposure(const Painter& painter, const PictureOptions& options)
 
 }  // namespace
 
-Colour colour_of(BufferState state) {
-    switch (state) {
-        case BufferState::uninitialised:
-            return {158, 158, 158};
-        case BufferState::empty:
-            return {86, 180, 233};
-        case BufferState::close:
-            return {230, 159, 0};
-        case BufferState::occluded:
-            return {120, 28, 80};
-    }
-    return {};
-}
-
 Pictures render_pictures(const RadiositySolver& solver, const Camera& camera, const PictureOptions& options) {
     const Painter painter(solver, camera, options);
     Pictures pictures;

@@ -24,7 +24,4 @@ struct Pictures {
 
 Pictures render_pictures(const RadiositySolver& solver, const Camera& camera, const PictureOptions& options);
 
-/// The colour that stands for a state in pictures and meshes.
-Colour colour_of(BufferState state);
-
 }  // namespace cob::report

@@ -1,6 +1,7 @@
 #include "report/ply.hpp"
 
 #include "cob/error.hpp"
+#include "report/image.hpp"
 
 #include <cstring>
 #include <limits>
@@ -21,20 +22,6 @@ void append_double(std::string& bytes, double value) {
 }
 
 }  // namespace
-
-std::array<std::uint8_t, 3> state_colour(BufferState state) {
-    switch (state) {
-        case BufferState::uninitialised:
-            return {255, 255, 255};
-        case BufferState::empty:
-            return {200, 205, 210};
-        case BufferState::close:
-            return {235, 120, 20};
-        case BufferState::occluded:
-            return {40, 50, 110};
-    }
-    return {};
-}
 
 PlyWriter::PlyWriter(const std::string& path, std::uint64_t corners, std::uint64_t faces) : file_(path) {
     if (corners > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
@@ -62,7 +49,7 @@ void PlyWriter::append_corners(std::string& bytes, const Corners& corners) {
 void PlyWriter::write_face(int corner_count, BufferState state) {
     faces_ += static_cast<char>(corner_count);
     for (int k = 0; k < corner_count; ++k) append_bits(faces_, static_cast<std::uint32_t>(next_corner_++));
-    for (const std::uint8_t channel : state_colour(state)) faces_ += static_cast<char>(channel);
+    for (const std::uint8_t channel : report::colour_of(state)) faces_ += static_cast<char>(channel);
     faces_ += static_cast<char>(state);
     if (faces_.size() > (std::size_t{1} << 20)) {
         file_.write(faces_);

@@ -6,14 +6,10 @@
 #include "cob/files.hpp"
 #include "cob/geometry.hpp"
 
-#include <array>
 #include <cstdint>
 #include <string>
 
 namespace cob {
-
-/// The colour, RGB, that stands for a state in pictures.
-std::array<std::uint8_t, 3> state_colour(BufferState state);
 
 /// Writes a binary PLY: every element has corners of its own (in binary64, rounded) and one face with `red`, `green`,
 /// `blue` and `state` (0 uninitialised, 1 empty, 2 close, 3 occluded). All corners come first, then all faces, in the

@@ -15,10 +15,6 @@ using radiosity::NodeId;
 
 namespace {
 
-const char* text_of(BufferState state) {
-    return to_text(state);
-}
-
 int state_number(const RadiositySolver& solver, NodeId leaf) {
     return static_cast<int>(solver.hidden(leaf) ? BufferState::occluded : solver.buffer_state(leaf));
 }
@@ -130,7 +126,7 @@ std::string solution_csv(const RadiositySolver& solver) {
             text += "," + std::to_string(n);
         for (const double x : {centre.x, centre.y, centre.z, mesh.area(leaf) * square, m[0], m[1], m[2]})
             text += "," + to_text(x);
-        text += std::string(",") + (solver.hidden(leaf) ? "hidden" : text_of(solver.buffer_state(leaf))) + "\n";
+        text += std::string(",") + (solver.hidden(leaf) ? "hidden" : to_text(solver.buffer_state(leaf))) + "\n";
     }
     return text;
 }

@@ -5,8 +5,6 @@
 #include "cob/solver.hpp"
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace cob::report {
 
@@ -18,18 +16,17 @@ std::string solution_vtp(const RadiositySolver& solver);
 /// One row for each element: its address, centre, visible area, exitance and the state of its buffer.
 std::string solution_csv(const RadiositySolver& solver);
 
-/// What a run was and cost, as JSON and as text. `seconds`: whole run; the rest by phase.
+/// What a run was and cost beyond what the solver knows.
 struct RunFigures {
     std::string scene;
-    double seconds = 0, picture_seconds = 0;
+    double seconds = 0, picture_seconds = 0;  ///< Of the whole run and of its pictures.
     double exposure = 0;
     bool interrupted = false;
-    std::string ended_by;  ///< "shots", "elements", "unshot flux" or "interrupt".
+    std::string ended_by;  ///< "number of shots", "number of elements", "unshot flux" or "interrupt".
 };
-std::string summary_json(const RadiositySolver& solver, const RunFigures& figures);
-std::string summary_text(const RadiositySolver& solver, const RunFigures& figures);
-
-/// Largest resident set of this process so far, bytes.
-std::size_t peak_memory();
+struct RunSummary {
+    std::string json, text;
+};
+RunSummary summarise(const RadiositySolver& solver, const RunFigures& figures);
 
 }  // namespace cob::report

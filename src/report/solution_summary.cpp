@@ -1,12 +1,11 @@
+#include "arithmetic/process.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/omissions_report.hpp"
 #include "report/solution_files.hpp"
+#include "report/text.hpp"
 #include "scene/json_text.hpp"
 
-#include <sys/resource.h>
-
 #include <cmath>
-#include <cstdio>
 
 namespace cob::report {
 namespace {
@@ -49,21 +48,7 @@ Json buffers_json(const RadiositySolver& solver) {
          static_cast<double>(solver.buffer_bytes()) / static_cast<double>(solver.element_count())}};
 }
 
-std::string format(const char* pattern, double a, double b = 0, double c = 0) {
-    char text[200];
-    std::snprintf(text, sizeof text, pattern, a, b, c);
-    return text;
-}
-
-}  // namespace
-
-std::size_t peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
-
-std::string summary_json(const RadiositySolver& solver, const RunFigures& figures) {
+Json figures_of(const RadiositySolver& solver, const RunFigures& figures) {
     const RadiosityCounters& c = solver.counters();
     const RadiosityTimes& t = solver.times();
     const EnergyBooks books = solver.books();
@@ -118,59 +103,64 @@ std::string summary_json(const RadiositySolver& solver, const RunFigures& figure
         interactions > 0 ? static_cast<double>(c.skipped_occluded) * (t.interaction + t.shooting) / interactions : 0;
     json["exposure"] = figures.exposure;
     json["peak_memory_bytes"] = peak_memory();
-    return json_text(json);
+    return json;
 }
 
-std::string summary_text(const RadiositySolver& solver, const RunFigures& figures) {
-    const Json j = Json::parse(summary_json(solver, figures));
+/// The same in words.
+std::string in_words(const Json& j, const RadiositySolver& solver, const RunFigures& figures) {
     const auto number = [](const Json& value) { return value.get<double>(); };
     std::string levels;
     for (const auto& count : j["elements_by_level"]) levels += (levels.empty() ? "" : " ") + count.dump();
-    const auto line = [](const std::string& name, const std::string& value) {
-        return name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') + value + "\n";
-    };
+    const auto line = [](const std::string& name, const std::string& value) { return titled_line(name, 26, value); };
     const Json &c = j["counters"], &b = j["buffers"], &s = j["seconds"];
     std::string text = line("scene", figures.scene);
     text += line("polygons", j["polygons"].dump()) + line("patches", j["patches"].dump());
     text += line("elements", j["elements"].dump() + " (by level: " + levels + ")");
     text += line("shots", c["shots"].dump() + ", ended by " + figures.ended_by);
-    text += line("unshot flux", format("%.4g %%", 100 * number(j["unshot_share"])));
+    text += line("unshot flux", printed("%.4g %%", 100 * number(j["unshot_share"])));
     text += line("segments tested", c["segments"].dump() + " (" + c["segments_by_exact_oracle"].dump() +
                                         " by the exact oracle), left out " + c["segments_left_out"].dump());
     text += line("refined", "by buffer " + c["refined_by_buffer"].dump() + ", by gradient " +
                                 c["refined_by_gradient"].dump() + ", for balance " + c["refined_for_balance"].dump());
     text += line("buffers built", b["built"].dump() + ": empty " + b["empty"].dump() + ", close " + b["close"].dump() +
                                       ", occluded " + b["occluded"].dump());
-    text += line("buffer memory", format("%.2f bytes a buffer, %.2f an element", number(b["bytes_per_buffer"]),
-                                         number(b["bytes_per_element"])));
+    text += line("buffer memory", printed("%.2f bytes a buffer, %.2f an element", number(b["bytes_per_buffer"]),
+                                          number(b["bytes_per_element"])));
     text += line("skipped as occluded",
                  c["skipped_as_occluded"].dump() +
-                     format(" shots, about %.3g s saved", number(j["seconds_saved_by_occluded_elements"])));
+                     printed(" shots, about %.3g s saved", number(j["seconds_saved_by_occluded_elements"])));
     text += left_out_rows(solver.omissions(), 26);
-    text += line("bookkeeping", format("differs by %.2g; subdivision moved %.3g %% of the flux",
-                                       number(j["bookkeeping"]["relative_difference"]),
-                                       100 * number(j["bookkeeping"]["moved_by_subdivision"])));
+    text += line("bookkeeping", printed("differs by %.2g; subdivision moved %.3g %% of the flux",
+                                        number(j["bookkeeping"]["relative_difference"]),
+                                        100 * number(j["bookkeeping"]["moved_by_subdivision"])));
     text +=
-        line("closure", format("%.6f of the flux arrived, each shot %.4f off; mean %.6f", number(j["closure"]["flux"]),
-                               number(j["closure"]["error"]), number(j["closure"]["mean"])) +
-                            format(", least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["least"]),
-                                   number(j["closure"]["most"])));
+        line("closure", printed("%.6f of the flux arrived, each shot %.4f off; mean %.6f", number(j["closure"]["flux"]),
+                                number(j["closure"]["error"]), number(j["closure"]["mean"])) +
+                            printed(", least %.6f, most %.6f (1 in a closed scene)", number(j["closure"]["least"]),
+                                    number(j["closure"]["most"])));
     for (const char* which : {"least", "most"}) {
         const Json& of = j["closure"][std::string(which) + "_of"];
         if (!of.is_null())
             text +=
                 line(std::string("  ") + which, "patch " + of["patch"].dump() + " of polygon " + of["polygon"].dump() +
-                                                    format(", longest side %.4g", number(of["longest_side"])));
+                                                    printed(", longest side %.4g", number(of["longest_side"])));
     }
-    text += line("seconds", format("%.3f solution, %.3f picture, %.3f in all", number(s["solution"]),
-                                   number(s["picture"]), number(s["all"])));
-    text += line("  interaction, shooting", format("%.3f, %.3f", number(s["interaction"]), number(s["shooting"])));
-    text += line("  buffer", format("%.4f: %.3f %% of the solution", number(s["buffer"]),
-                                    100 * number(j["buffer_share_of_solution"])));
-    text += line("  refinement, gradient", format("%.3f, %.3f", number(s["refinement"]), number(s["gradient"])));
-    text += line("  meshing", format("%.3f", number(s["meshing"])));
-    text += line("peak memory", format("%.1f MB", number(j["peak_memory_bytes"]) / 1e6));
+    text += line("seconds", printed("%.3f solution, %.3f picture, %.3f in all", number(s["solution"]),
+                                    number(s["picture"]), number(s["all"])));
+    text += line("  interaction, shooting", printed("%.3f, %.3f", number(s["interaction"]), number(s["shooting"])));
+    text += line("  buffer", printed("%.4f: %.3f %% of the solution", number(s["buffer"]),
+                                     100 * number(j["buffer_share_of_solution"])));
+    text += line("  refinement, gradient", printed("%.3f, %.3f", number(s["refinement"]), number(s["gradient"])));
+    text += line("  meshing", printed("%.3f", number(s["meshing"])));
+    text += line("peak memory", printed("%.1f MB", number(j["peak_memory_bytes"]) / 1e6));
     return text;
+}
+
+}  // namespace
+
+RunSummary summarise(const RadiositySolver& solver, const RunFigures& figures) {
+    const Json json = figures_of(solver, figures);
+    return {json_text(json), in_words(json, solver, figures)};
 }
 
 }  // namespace cob::report

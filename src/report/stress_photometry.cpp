@@ -2,13 +2,13 @@
 #include "cob/form_factor.hpp"
 #include "cob/stress.hpp"
 #include "report/stress_scene.hpp"
+#include "report/text.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace cob {
 namespace {
@@ -70,11 +70,7 @@ std::vector<Question> questions(bool quick) {
     const auto add = [&](const std::string& name, const stress::Loop& polygon, const Point& normal) {
         all.push_back({name, origin, normal, polygon});
     };
-    const auto text = [](const char* what, double value) {
-        char buffer[64];
-        std::snprintf(buffer, sizeof buffer, "%s %.0e", what, value);
-        return std::string(buffer);
-    };
+    const auto text = [](const char* what, double value) { return printed("%s %.0e", what, value); };
     for (const double distance : {1e-8, 1e-4, 1.0, 1e4, 1e8})
         add(text("unit square overhead at", distance), square(1, distance), up);
     for (const double scale : {1e-150, 1e-100, 1e100, 1e150})
@@ -100,9 +96,7 @@ std::vector<Question> questions(bool quick) {
 }
 
 std::string scientific(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3e", value);
-    return buffer;
+    return printed("%.3e", value);
 }
 
 StressRow row_of(const Question& question) {

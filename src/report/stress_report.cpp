@@ -1,10 +1,10 @@
 #include "report/stress_report.hpp"
 
 #include "report/page.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace cob::report {
 namespace {
@@ -36,11 +36,8 @@ Table geometry_table(const StressResults& results) {
             for (const ArithmeticErrors* arithmetic : {&row.exact, &row.binary32, &row.binary64, &row.epsilon})
                 cells.push_back(std::to_string(arithmetic->*errors));
         }
-        char share[32];
-        std::snprintf(
-            share, sizeof share, "%.1f",
-            100 * static_cast<double>(row.filtered) / static_cast<double>(std::max<std::uint64_t>(1, row.decided)));
-        cells.push_back(share);
+        cells.push_back(printed("%.1f", 100 * static_cast<double>(row.filtered) /
+                                            static_cast<double>(std::max<std::uint64_t>(1, row.decided))));
         table.rows.push_back(std::move(cells));
     }
     return table;
@@ -52,12 +49,6 @@ std::string verdicts(const std::vector<StressRow>& rows) {
     return std::to_string(rows.size()) + " cases: " + std::to_string(counts[0]) + " pass, " +
            std::to_string(counts[1]) + " limits, " + std::to_string(counts[2]) + " failed, " +
            std::to_string(counts[3]) + " figures";
-}
-
-std::string seconds_text(double seconds) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f s", seconds);
-    return text;
 }
 
 }  // namespace
@@ -90,7 +81,7 @@ std::string stress_geometry_csv(const StressResults& results) {
 
 std::string stress_text(const StressResults& results) {
     const std::vector<StressRow> rows = all_rows(results);
-    std::string text = verdicts(rows) + "; " + seconds_text(results.seconds) + "\n";
+    std::string text = verdicts(rows) + "; " + printed("%.1f s", results.seconds) + "\n";
     for (const StressRow& row : rows)
         if (row.verdict != Verdict::pass)
             text += std::string(to_text(row.verdict)) + "  " + row.name + "\n    expected: " + row.expected +
@@ -100,8 +91,8 @@ std::string stress_text(const StressResults& results) {
 
 std::string stress_html(const StressResults& results) {
     Page page("Stiff and extreme cases");
-    page.paragraph(verdicts(all_rows(results)) + "; " + seconds_text(results.seconds) + "; compiler " + __VERSION__ +
-                   ".");
+    page.paragraph(verdicts(all_rows(results)) + "; " + printed("%.1f s", results.seconds) + "; compiler " +
+                   __VERSION__ + ".");
     page.paragraph(
         "pass: as expected. limit: not as expected, for the reason told; a limit of the method or the number type. "
         "figure: measured, nothing is expected.");

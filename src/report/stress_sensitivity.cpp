@@ -2,10 +2,10 @@
 #include "cob/error.hpp"
 #include "cob/stress.hpp"
 #include "report/stress_scene.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <optional>
@@ -130,9 +130,7 @@ std::vector<StressRow> stress_sensitivity(const Scene& scene, const std::string&
         if (options.progress) options.progress(pattern, 0);
         const Scene after = moved(scene, pattern);
         const Changes c = Comparison(scene, after).run(options.quick ? 100 : 1000, options.quick ? 500 : 5000);
-        char text[512];
-        std::snprintf(
-            text, sizeof text,
+        const std::string text = printed(
             "of %llu relations not disjoint %llu change, %llu of them between close and not, at %llu of %llu "
             "boxes; of %llu segments %llu change, %llu to blocked, %llu from it; %zu polygons were not "
             "planar, %zu are not now",

@@ -6,21 +6,15 @@
 #include "cob/stress.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/stress_scene.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace cob {
 namespace {
 
 using stress::Shapes;
-
-std::string text(const char* format, double a, double b = 0, double c = 0, double d = 0) {
-    char buffer[160];
-    std::snprintf(buffer, sizeof buffer, format, a, b, c, d);
-    return buffer;
-}
 
 /// The six sides of a room of 1 by 2 by 3, facing inward: no two of its directions are alike.
 std::vector<stress::Loop> room() {
@@ -59,11 +53,11 @@ StressRow closed_box(double rho, bool overshoot, std::int64_t most_shots) {
     const EnergyBooks books = solver.books();
     StressRow row{"stiff", "closed box, rho = " + to_text(rho) + (overshoot ? ", overshooting" : ""),
                   "B = E / (1 - rho) within 1 %; unshot flux 1e-6", "", Verdict::pass};
-    row.came_out = text("B off by %.2e at most, mean by %.2e", largest, mean / truth - 1) +
-                   text("; %.0f shots, %.2f s, unshot %.1e", static_cast<double>(solver.counters().shots), seconds,
-                        solver.unshot_share()) +
-                   text("; closure %.6f (%.6f to %.6f); books differ by %.1e", books.closure_mean, books.closure_least,
-                        books.closure_most, books.difference());
+    row.came_out = printed("B off by %.2e at most, mean by %.2e", largest, mean / truth - 1) +
+                   printed("; %.0f shots, %.2f s, unshot %.1e", static_cast<double>(solver.counters().shots), seconds,
+                           solver.unshot_share()) +
+                   printed("; closure %.6f (%.6f to %.6f); books differ by %.1e", books.closure_mean,
+                           books.closure_least, books.closure_most, books.difference());
     const bool reached = solver.unshot_share() <= 1e-6;
     if (!reached || largest > 0.01) row.verdict = Verdict::limit;
     if (!reached) row.came_out += "; ended by the number of shots, which grows as 1 / (1 - rho)";
@@ -106,8 +100,8 @@ StressRow single_precision(double rho) {
     const double twice = shoot_between_sides<double>(rho, &shots_double) / truth - 1;
     // What is left unshot is missing, too: a millionth of the emitted, times 1 / (1 - rho), of which B is as much.
     StressRow row{"stiff", "single precision, rho = " + to_text(rho), "error of the sum below 1e-5", "", Verdict::pass};
-    row.came_out = text("binary32 off by %.2e after %.0f shots, binary64 by %.2e after %.0f", single,
-                        static_cast<double>(shots_single), twice, static_cast<double>(shots_double));
+    row.came_out = printed("binary32 off by %.2e after %.0f shots, binary64 by %.2e after %.0f", single,
+                           static_cast<double>(shots_single), twice, static_cast<double>(shots_double));
     if (std::fabs(single) > 1e-5) {
         row.verdict = Verdict::limit;
         row.came_out += "; binary32 drops what is below half an ulp of the sum, so solve in binary64";
@@ -165,8 +159,8 @@ StressRow unequal_lights() {
     }
     StressRow row{"stiff", "a light of side 1e-3 and 1e9 W/m2 beside one of side 0.8 and 1e-3 W/m2",
                   "direct light within 1e-9, relative", "", Verdict::pass};
-    row.came_out = text("off by %.2e at most; the dim light is down to %.1e of it; %.0f shots", worst, least_share,
-                        static_cast<double>(solver.counters().shots));
+    row.came_out = printed("off by %.2e at most; the dim light is down to %.1e of it; %.0f shots", worst, least_share,
+                           static_cast<double>(solver.counters().shots));
     if (!(worst < 1e-9)) row.verdict = Verdict::limit;
     return row;
 }
@@ -205,10 +199,10 @@ StressRow slit(double width) {
     for (const std::int32_t leaf : solver.mesh().leaves())
         if (solver.roots()[solver.mesh().node(leaf).element.root].polygon == 0) floor = solver.exitance(leaf)[0];
 
-    StressRow row{"stiff", text("slit of %.0e", width),
+    StressRow row{"stiff", printed("slit of %.0e", width),
                   "exact irradiance within 1e-9, relative; the solver's 64 samples within 10 %", "", Verdict::pass};
-    row.came_out = text("form factor %.6e, exact irradiance off by %.1e; by 64 samples off by %.1e", truth, off,
-                        floor / (0.5 * truth) - 1);
+    row.came_out = printed("form factor %.6e, exact irradiance off by %.1e; by 64 samples off by %.1e", truth, off,
+                           floor / (0.5 * truth) - 1);
     if (std::fabs(floor / (0.5 * truth) - 1) > 0.1) {
         row.verdict = Verdict::limit;
         row.came_out += "; no sample point lies in line with the slit, so ask the exact irradiance";

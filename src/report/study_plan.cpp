@@ -1,10 +1,10 @@
 // The runs that a study makes, and what they come to.
 #include "cob/study.hpp"
 #include "geometry/bounds.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace cob {
 
@@ -76,9 +76,7 @@ std::string reason_of(const StudyBar& bar, const StudyReference& reference, cons
             run = &other;
     const auto in_band = std::count_if(reference.points.begin(), reference.points.end(),
                                        [](const StudyPoint& point) { return point.in_band; });
-    char text[512];
-    std::snprintf(
-        text, sizeof text,
+    return printed(
         "%s, %lld elements, errs by %.3g %%: %.0f %% of its squared error lies in the band (%td of %zu points; "
         "of uniform's %.0f %%) on finest elements, where only smaller ones help, %.0f %% in the band on larger "
         "ones, in shadows cast from further than the boxes reach, %.0f %% in smooth light, not what the buffer "
@@ -87,7 +85,6 @@ std::string reason_of(const StudyBar& bar, const StudyReference& reference, cons
         100 * run->shares.band_fine, in_band, reference.points.size(),
         100 * (bar.uniform.shares.band_fine + bar.uniform.shares.band_coarse), 100 * run->shares.band_coarse,
         100 * (run->shares.smooth_fine + run->shares.smooth_coarse));
-    return text;
 }
 
 }  // namespace

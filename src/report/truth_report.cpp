@@ -4,11 +4,11 @@
 #include "cob/files.hpp"
 #include "cob/irradiance.hpp"
 #include "cob/patch_visibility.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <mutex>
 #include <optional>
 
@@ -178,19 +178,11 @@ std::string rows_of(const std::vector<ElementTruth>& truths) {
     return text;
 }
 
-/// A field of a comma-separated table, quoted where it must be (RFC 4180).
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
-
 std::string row_of(const std::string& scene, const TruthSummary& s) {
     std::string text =
         "scene,elements,sampled,lights,empty,close,occluded,boundary,sharp,refined_in_vain,sharp_missed,occluded_lit,"
         "occluded_lit_hemisphere,shut_out_together\n" +
-        field(scene);
+        csv_cell(scene);
     for (std::uint64_t value : {s.elements, s.sampled, s.lights, s.empty, s.close, s.occluded, s.boundary, s.sharp,
                                 s.refined_in_vain, s.sharp_missed, s.occluded_lit})
         text += ',' + std::to_string(value);
@@ -231,12 +223,10 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
         const std::uint64_t step = (count + 7) / 8;
         std::vector<ElementTruth> first((count + step - 1) / step);
         judge_block(0, count, step, first.data());
-        char line[200];
-        std::snprintf(line, sizeof line, "truth: %llu of %llu elements, %llu lights: about %.1f s of one core",
-                      static_cast<unsigned long long>(count), static_cast<unsigned long long>(elements.size()),
-                      static_cast<unsigned long long>(judge.lights()),
-                      seconds() / static_cast<double>(first.size()) * static_cast<double>(count));
-        options.say(line);
+        options.say(printed("truth: %llu of %llu elements, %llu lights: about %.1f s of one core",
+                            static_cast<unsigned long long>(count), static_cast<unsigned long long>(elements.size()),
+                            static_cast<unsigned long long>(judge.lights()),
+                            seconds() / static_cast<double>(first.size()) * static_cast<double>(count)));
     }
 
     // All of them.
@@ -262,21 +252,19 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
 }
 
 std::string to_text(const TruthSummary& s) {
-    char text[1500];
     const auto n = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
-    std::snprintf(text, sizeof text,
-                  "truth (%llu of %llu elements, %llu lights, %.1f s)\n"
-                  "  states                        %llu empty, %llu close, %llu occluded\n"
-                  "  with a shadow boundary        %llu\n"
-                  "  with a sharp one              %llu\n"
-                  "  refined in vain               %llu  (close, no boundary)\n"
-                  "  sharp shadows missed          %llu  (sharp boundary, not close)\n"
-                  "  occluded, yet lit             %llu  (at most %.3g of the hemisphere)\n"
-                  "  shut out by several together  %llu  (not occluded, no light reaches it)\n",
-                  n(s.sampled), n(s.elements), n(s.lights), s.seconds, n(s.empty), n(s.close), n(s.occluded),
-                  n(s.boundary), n(s.sharp), n(s.refined_in_vain), n(s.sharp_missed), n(s.occluded_lit),
-                  s.occluded_lit_hemisphere, n(s.shut_out_together));
-    return text;
+    return printed(
+        "truth (%llu of %llu elements, %llu lights, %.1f s)\n"
+        "  states                        %llu empty, %llu close, %llu occluded\n"
+        "  with a shadow boundary        %llu\n"
+        "  with a sharp one              %llu\n"
+        "  refined in vain               %llu  (close, no boundary)\n"
+        "  sharp shadows missed          %llu  (sharp boundary, not close)\n"
+        "  occluded, yet lit             %llu  (at most %.3g of the hemisphere)\n"
+        "  shut out by several together  %llu  (not occluded, no light reaches it)\n",
+        n(s.sampled), n(s.elements), n(s.lights), s.seconds, n(s.empty), n(s.close), n(s.occluded), n(s.boundary),
+        n(s.sharp), n(s.refined_in_vain), n(s.sharp_missed), n(s.occluded_lit), s.occluded_lit_hemisphere,
+        n(s.shut_out_together));
 }
 
 }  // namespace cob

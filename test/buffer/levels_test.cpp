@@ -126,21 +126,14 @@ TEST(Levels, ListsOfTheParentSpareTests) {
 
 /// A floor of 64 by 64, on it rows of small sheets: as many a row, and so many rows.
 Scene floor_under_sheets(int count, int rows) {
-    Scene::Input input;
-    input.name = "sheets";
-    input.materials.resize(1);
+    std::vector<test::Loop> loops;
     const auto add = [&](double x, double y, double z, double side) {
-        Scene::Face face;
-        for (const Point& corner : {Point{x, y, z}, {x + side, y, z}, {x + side, y + side, z}, {x, y + side, z}}) {
-            face.corners.push_back(static_cast<VertexId>(input.positions.size()));
-            input.positions.push_back(corner);
-        }
-        input.faces.push_back(face);
+        loops.push_back({{x, y, z}, {x + side, y, z}, {x + side, y + side, z}, {x, y + side, z}});
     };
     add(0, 0, 0, 64);
     for (int i = 0; i < count; ++i)
         for (int j = 0; j < rows; ++j) add(64.0 * i / count + 1, 64.0 * j / count + 1, 0.5, 1);
-    return Scene::build(std::move(input));
+    return test::scene_of(loops);
 }
 
 // Two levels where the list is short, one where it would be gone through again and again; the same answers.

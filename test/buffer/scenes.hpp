@@ -3,10 +3,9 @@
 #pragma once
 
 #include "cob/classify.hpp"
-#include "cob/scene.hpp"
+#include "loops.hpp"
 #include "naive/dice.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -24,16 +23,8 @@ inline Scene random_room(std::uint64_t seed) {
     input.name = "room " + std::to_string(seed);
     input.materials.resize(2);
     input.materials[1].emitted_exitance = {1, 1, 1};
-    const auto add = [&](std::array<Point, 4> corners, bool light) {
-        Scene::Face face;
-        face.material = light ? 1 : 0;
-        for (const Point& corner : corners) {
-            face.corners.push_back(static_cast<VertexId>(input.positions.size()));
-            input.positions.push_back(corner);
-        }
-        input.faces.push_back(face);
-    };
-    add({Point{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, false);
+    const auto add = [&](const Loop& loop, bool light) { add_loop(input, loop).material = light ? 1 : 0; };
+    add({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, false);
     const int count = dice.between(2, 8);
     for (int k = 0; k < count; ++k) {
         const double x = dice.below(28) / 4.0, y = dice.below(28) / 4.0, z = dice.below(12) / 16.0;
@@ -41,13 +32,13 @@ inline Scene random_room(std::uint64_t seed) {
         const bool light = dice.one_in(4);
         switch (dice.below(4)) {
             case 0:
-                add({Point{x, y, z}, {x + dx, y, z}, {x + dx, y, z + dy}, {x, y, z + dy}}, light);
+                add({{x, y, z}, {x + dx, y, z}, {x + dx, y, z + dy}, {x, y, z + dy}}, light);
                 break;
             case 1:
-                add({Point{x, y, z}, {x, y + dy, z}, {x + dx, y + dy, z}, {x + dx, y, z}}, light);
+                add({{x, y, z}, {x, y + dy, z}, {x + dx, y + dy, z}, {x + dx, y, z}}, light);
                 break;
             default:
-                add({Point{x, y, z}, {x + dx, y, z}, {x + dx, y + dy, z}, {x, y + dy, z}}, light);
+                add({{x, y, z}, {x + dx, y, z}, {x + dx, y + dy, z}, {x, y + dy, z}}, light);
         }
     }
     return Scene::build(std::move(input));

@@ -1,7 +1,7 @@
 // `cob classify`, end to end.
 #include "cob/error.hpp"
-#include "cob/tables.hpp"
 #include "program.hpp"
+#include "tables.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,16 +14,9 @@ namespace cob {
 namespace {
 
 using test::files_in;
+using test::read_all;
 
 const std::string desk = COB_DATA "/desk.obj";
-
-template <class Row>
-std::vector<Row> read_all(const std::string& folder) {
-    TableReader<Row> reader(folder + "/" + table_name<Row>());
-    std::vector<Row> rows;
-    for (Row row; reader.next(row);) rows.push_back(row);
-    return rows;
-}
 
 TEST(Classify, TablesFitEachOther) {
     const test::TemporaryFolder folder;

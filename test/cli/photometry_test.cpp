@@ -1,6 +1,7 @@
 // `cob irradiance` and `cob formfactors`, end to end: the photometric tables of SPEC 8 against closed forms.
 #include "cob/tables.hpp"
 #include "program.hpp"
+#include "tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +12,9 @@
 namespace cob {
 namespace {
 
-const double pi = std::acos(-1.0);
+using test::read_all;
 
-template <class Row>
-std::vector<Row> read_all(const std::string& path) {
-    TableReader<Row> reader(path);
-    std::vector<Row> rows;
-    for (Row row; reader.next(row);) rows.push_back(row);
-    return rows;
-}
+const double pi = std::acos(-1.0);
 
 std::size_t lines_of(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

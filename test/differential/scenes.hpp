@@ -2,18 +2,13 @@
 /// The same polygons for the library and for the naive twin.
 #pragma once
 
+#include "loops.hpp"
 #include "naive/cases.hpp"
 
-#include "cob/scene.hpp"
-
-#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace cob::test {
-
-/// Whether corners at one position are one vertex of the scene.
-enum class Vertices : bool { apart, shared };
 
 /// Repeated corners of a face stay what they are.
 inline Scene library_scene(const std::vector<naive::Face>& faces, Vertices vertices = Vertices::apart) {
@@ -21,17 +16,7 @@ inline Scene library_scene(const std::vector<naive::Face>& faces, Vertices verti
     input.name = "case";
     input.materials.resize(2);
     input.materials[1].emitted_exitance = {1, 0, 0};
-    for (const naive::Face& face : faces) {
-        Scene::Face line;
-        line.material = face.emits ? 1 : 0;
-        for (const Point& corner : face.corners) {
-            const auto begin = input.positions.begin(), end = input.positions.end();
-            const auto same = vertices == Vertices::shared ? std::find(begin, end, corner) : end;
-            line.corners.push_back(static_cast<VertexId>(same - begin));
-            if (same == end) input.positions.push_back(corner);
-        }
-        input.faces.push_back(line);
-    }
+    for (const naive::Face& face : faces) add_loop(input, face.corners, vertices).material = face.emits ? 1 : 0;
     return Scene::build(std::move(input), {true});
 }
 

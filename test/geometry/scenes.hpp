@@ -3,29 +3,9 @@
 #pragma once
 
 #include "cob/geometry.hpp"
-#include "cob/scene.hpp"
-
-#include <initializer_list>
-#include <vector>
+#include "loops.hpp"
 
 namespace cob::test {
-
-using Loop = std::vector<Point>;
-
-/// A scene of these polygons, one material, every corner its own vertex.
-inline Scene scene_of(const std::vector<Loop>& loops, bool skip_invalid = false) {
-    Scene::Input input;
-    input.materials.resize(1);
-    for (const Loop& loop : loops) {
-        Scene::Face face;
-        for (const Point& p : loop) {
-            face.corners.push_back(static_cast<VertexId>(input.positions.size()));
-            input.positions.push_back(p);
-        }
-        input.faces.push_back(face);
-    }
-    return Scene::build(std::move(input), Scene::Options{skip_invalid});
-}
 
 /// The box over an element by its corners; u is the first side.
 inline BoxQuestion question_of(const Loop& element, Rational margin = Rational(1, 8),

@@ -5,6 +5,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/golden.hpp"
+#include "golden/shipped_sets.hpp"
 #include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -18,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> shipped() {
-    std::vector<std::string> sets;
-    for (const auto& entry : fs::directory_iterator(std::string(COB_DATA) + "/golden"))
-        if (entry.is_directory()) sets.push_back(entry.path().string());
-    return sets;
-}
-
 BenchOptions quick() {
     BenchOptions options;
     options.repetitions = 2;
@@ -33,7 +27,7 @@ BenchOptions quick() {
 }
 
 TEST(Bench, EveryVariantOnEveryKindOfTheShippedSets) {
-    const std::vector<BenchRow> rows = bench_sets(shipped(), quick());
+    const std::vector<BenchRow> rows = bench_sets(test::shipped_sets(), quick());
 
     std::map<std::string, std::set<std::string>> kinds;  // of each variant, of which every one has a row of its own
     std::map<std::string, std::uint64_t> wrong, undecided;

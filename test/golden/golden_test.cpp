@@ -8,7 +8,7 @@
 #include "cob/verify.hpp"
 #include "golden/dice.hpp"
 #include "golden/twin_check.hpp"
-#include "temporary_folder.hpp"
+#include "program.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,15 +23,6 @@ namespace fs = std::filesystem;
 
 std::string data(const std::string& name) {
     return std::string(COB_DATA) + "/" + name;
-}
-
-/// Every file of a folder by name.
-std::map<std::string, std::string> bytes_of(const std::string& folder) {
-    std::map<std::string, std::string> bytes;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file())
-            bytes[fs::relative(entry.path(), folder).string()] = read_file(entry.path().string());
-    return bytes;
 }
 
 GoldenParameters small_set() {
@@ -153,11 +144,11 @@ TEST(Golden, BytesDependOnSceneAndParametersAlone) {
     GoldenOptions one = shards_of(1000);
     one.threads = 1;
     make_golden(scene, folder / "one", parameters, one);
-    const auto expected = bytes_of(folder / "one");
+    const auto expected = test::bytes_of(folder / "one");
     EXPECT_EQ(expected.size(), 10u) << "three tables of questions, three of answers, tags, scene, materials, manifest";
 
     make_golden(scene, folder / "many", parameters, shards_of(7));
-    EXPECT_EQ(bytes_of(folder / "many"), expected);
+    EXPECT_EQ(test::bytes_of(folder / "many"), expected);
 
     // Three machines, each into a folder of its own, brought together.
     for (std::uint64_t machine = 1; machine <= 3; ++machine) {
@@ -173,7 +164,7 @@ TEST(Golden, BytesDependOnSceneAndParametersAlone) {
     const GoldenResult merged = make_golden(scene, folder / "merged", parameters, merge);
     EXPECT_TRUE(merged.finished);
     EXPECT_EQ(merged.made, 0u);
-    EXPECT_EQ(bytes_of(folder / "merged"), expected);
+    EXPECT_EQ(test::bytes_of(folder / "merged"), expected);
 
     // Three machines into one folder: the last one finishes it.
     for (std::uint64_t machine = 0; machine < 3; ++machine) {
@@ -181,14 +172,14 @@ TEST(Golden, BytesDependOnSceneAndParametersAlone) {
         options.shard = machine, options.shards = 3;
         EXPECT_EQ(make_golden(scene, folder / "shared", parameters, options).finished, machine == 2);
     }
-    EXPECT_EQ(bytes_of(folder / "shared"), expected);
+    EXPECT_EQ(test::bytes_of(folder / "shared"), expected);
 
     // A finished set is left alone; another one is not written over it.
     EXPECT_EQ(make_golden(scene, folder / "one", parameters).made, 0u);
     GoldenParameters other = parameters;
     other.seed = 2;
     EXPECT_THROW(make_golden(scene, folder / "one", other), InputError);
-    EXPECT_EQ(bytes_of(folder / "one"), expected);
+    EXPECT_EQ(test::bytes_of(folder / "one"), expected);
 }
 
 // "Reproducible from its manifest": the parameters there and the scene of the set are enough.
@@ -199,7 +190,7 @@ TEST(Golden, TheSetReproducesItselfFromItsOwnScene) {
     make_golden(data("figure7.obj"), folder / "set", parameters);
     const GoldenResult again = make_golden(folder / "set" + "/scene.obj", folder / "again", parameters);
     EXPECT_EQ(again.snapped->moved, 0u);
-    EXPECT_EQ(bytes_of(folder / "again"), bytes_of(folder / "set"));
+    EXPECT_EQ(test::bytes_of(folder / "again"), test::bytes_of(folder / "set"));
     const Manifest manifest = read_manifest(folder / "set" + "/manifest.json");
     EXPECT_EQ(manifest.parameters.at("float"), "true");
     EXPECT_EQ(manifest.counts.at("segments"), 132);

@@ -3,7 +3,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/golden.hpp"
-#include "temporary_folder.hpp"
+#include "program.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,18 +22,11 @@ namespace cob {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes_of;
 
 constexpr int kills = COB_KILLS;
 
 const std::string scene = std::string(COB_DATA) + "/cornell.obj";
-
-std::map<std::string, std::string> bytes_of(const std::string& folder) {
-    std::map<std::string, std::string> bytes;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file())
-            bytes[fs::relative(entry.path(), folder).string()] = read_file(entry.path().string());
-    return bytes;
-}
 
 std::string command(const std::string& set) {
     return std::string(COB_PROGRAM) + " golden " + scene + " -o " + set +
@@ -41,7 +34,7 @@ std::string command(const std::string& set) {
 }
 
 int run(const std::string& text) {
-    return WEXITSTATUS(std::system((text + " >/dev/null 2>&1").c_str()));
+    return test::run_shell(text).code;
 }
 
 std::size_t finished_shards(const std::string& set) {

@@ -11,8 +11,7 @@
 namespace cob {
 namespace {
 
-// Vectors of FIPS 180-4's example documents and of NIST's long message; lengths around the block's end against the
-// same message given in one and in several parts.
+// Vectors of FIPS 180-4's example documents and of NIST's long message.
 TEST(Sha256, PublishedVectors) {
     EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -5,6 +5,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "golden/exact_text.hpp"
+#include "tables.hpp"
 #include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,7 @@
 namespace cob {
 namespace {
 
-template <class Row>
-std::vector<Row> read_all(const std::string& path) {
-    TableReader<Row> reader(path);
-    std::vector<Row> rows;
-    for (Row row; reader.next(row);) rows.push_back(row);
-    return rows;
-}
+using test::read_all;
 
 /// What is written is read and written again to the same bytes, and the bytes are these.
 template <class Row>

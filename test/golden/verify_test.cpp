@@ -6,7 +6,7 @@
 #include "cob/files.hpp"
 #include "cob/golden.hpp"
 #include "cob/manifest.hpp"
-#include "temporary_folder.hpp"
+#include "program.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,9 +63,7 @@ protected:
     void drop(const std::string& name) { std::filesystem::remove(answers() + "/" + name); }
     verify::Report report(const verify::Options& options = {}) { return verify_answers(set(), answers(), options); }
     int exit_code(const std::string& more = "") {
-        const std::string command =
-            std::string(COB_PROGRAM) + " verify " + set() + " " + answers() + " " + more + " >/dev/null 2>&1";
-        return WEXITSTATUS(std::system(command.c_str()));
+        return test::run_program("verify " + set() + " " + answers() + " " + more).code;
     }
     test::TemporaryFolder folder_;
 };

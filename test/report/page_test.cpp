@@ -2,10 +2,9 @@
 #include "report/page.hpp"
 
 #include "cob/files.hpp"
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cstdio>
 
 namespace cob::report {
 namespace {
@@ -30,12 +29,12 @@ TEST(Table, CellsThatNeedQuotesAreQuoted) {
 }
 
 TEST(Page, IsSelfContainedAndEscaped) {
-    const std::string picture = testing::TempDir() + "page_test.png";
+    const test::TemporaryFolder folder;
+    const std::string picture = folder / "picture.png";
     write_file(picture, "foobar");
     Page page("a < b");
     page.picture(picture, "six \"bytes\"");
     page.picture(picture + ".missing", "none");
-    std::remove(picture.c_str());
     const std::string html = page.html();
     EXPECT_NE(html.find("<title>a &lt; b</title>"), std::string::npos);
     EXPECT_NE(html.find("src=\"data:image/png;base64,Zm9vYmFy\""), std::string::npos);

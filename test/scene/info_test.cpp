@@ -1,29 +1,18 @@
 // The command `cob info`: exit codes, and that what it prints and writes agrees with the scene.
-#include "temporary_folder.hpp"
+#include "program.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <fstream>
 #include <string>
 
 namespace {
 
-struct Outcome {
-    int code = -1;
-    std::string output;  ///< Both streams.
-};
-
-Outcome run(const std::string& arguments) {
-    Outcome result;
-    std::FILE* pipe = ::popen((std::string(COB_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
-    if (!pipe) return result;
-    char block[4096];
-    for (std::size_t n; (n = std::fread(block, 1, sizeof block, pipe)) > 0;) result.output.append(block, n);
-    const int status = ::pclose(pipe);
-    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+/// Both streams as one.
+cob::test::ProgramResult run(const std::string& arguments) {
+    cob::test::ProgramResult result = cob::test::run_program(arguments);
+    result.out += result.error;
     return result;
 }
 
@@ -43,13 +32,13 @@ TEST(Info, NamesInvalidPolygons) {
                                        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 2 2 1\n"
                                        "f 1 2 3 4\nf 1 2 4 3\nf 1 2 3 5 4\nf 1 2\nfoo bar\n");
     const std::string json_path = path + ".json";
-    const Outcome result = run("info " + path + " --json " + json_path);
-    EXPECT_EQ(result.code, 0) << result.output;
-    EXPECT_TRUE(contains(result.output, "4, 2 valid, 2 invalid")) << result.output;
-    EXPECT_TRUE(contains(result.output, "polygon 1, line 7: zero area")) << result.output;
-    EXPECT_TRUE(contains(result.output, "polygon 3, line 9: fewer than 3 distinct vertices")) << result.output;
-    EXPECT_TRUE(contains(result.output, "other commands refuse this scene")) << result.output;
-    EXPECT_TRUE(contains(result.output, "foo, 1 time")) << result.output;
+    const auto result = run("info " + path + " --json " + json_path);
+    EXPECT_EQ(result.code, 0) << result.out;
+    EXPECT_TRUE(contains(result.out, "4, 2 valid, 2 invalid")) << result.out;
+    EXPECT_TRUE(contains(result.out, "polygon 1, line 7: zero area")) << result.out;
+    EXPECT_TRUE(contains(result.out, "polygon 3, line 9: fewer than 3 distinct vertices")) << result.out;
+    EXPECT_TRUE(contains(result.out, "other commands refuse this scene")) << result.out;
+    EXPECT_TRUE(contains(result.out, "foo, 1 time")) << result.out;
 
     const auto json = nlohmann::json::parse(std::ifstream(json_path));
     EXPECT_EQ(json["polygons"], 4);
@@ -66,9 +55,9 @@ TEST(Info, EndsWithTwoOnBadInput) {
     EXPECT_EQ(run("info").code, 2);
     const cob::test::TemporaryFolder folder;
     const std::string path = temporary(folder, "bad.obj", "v 0 0 zero\n");
-    const Outcome result = run("info " + path);
+    const auto result = run("info " + path);
     EXPECT_EQ(result.code, 2);
-    EXPECT_TRUE(contains(result.output, path + ":1: not a finite number 'zero'")) << result.output;
+    EXPECT_TRUE(contains(result.out, path + ":1: not a finite number 'zero'")) << result.out;
     const std::string good = temporary(folder, "good.obj", "v 0 0 0\n");
     EXPECT_EQ(run("info " + good).code, 0);
     EXPECT_EQ(run("info " + good + " --json /nowhere/out.json").code, 2);

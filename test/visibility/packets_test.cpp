@@ -64,7 +64,7 @@ void check_at(int exponent, double offset, int seed_base, Counts& counts) {
             random.integer(0, 1) == 0 ? lattice_terrain(random, 3, 2) : lattice_soup(random, 8, 5, 8);
         for (Loop& loop : loops)
             for (Point& p : loop) p = placed(p);
-        const Scene scene = scene_of(loops, true);
+        const Scene scene = scene_of(loops, Vertices::shared, true);
         if (scene.pieces().empty()) continue;
         for (int k = 0; k < 12; ++k) {
             Point ends[2];
@@ -118,7 +118,8 @@ TEST(Packets, WhatIsCertainIsSoFarFromTheOrigin) {
 // Short segments beside large triangles: the line's direction is known badly.
 TEST(Packets, ShortSegments) {
     Counts counts;
-    const Scene scene = scene_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}});
+    const Scene scene =
+        scene_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}, Vertices::shared);
     for (int exponent = 0; exponent >= -1074; exponent -= exponent > -60 ? 1 : 13) {
         Random random(static_cast<std::uint64_t>(-exponent));
         for (int k = 0; k < 20; ++k) {

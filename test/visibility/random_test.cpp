@@ -93,52 +93,6 @@ TEST(VisibilityRandom, EveryExactArithmeticAndSourceAgree) {
     EXPECT_GT(undecided, 0);
 }
 
-// "adding a polygon never turns blocked into grazing"
-TEST(VisibilityRandom, AddingPolygonsNeverOpens) {
-    Answers answers;
-    for (int seed = 0; seed < scenes; ++seed) {
-        Random random(static_cast<std::uint64_t>(seed) + 1000000);
-        std::vector<Loop> loops = random_scene(random);
-        const Asked few(loops, Source::cgal, true);
-        for (const Loop& loop : lattice_soup(random, 3, 3)) loops.push_back(loop);
-        const Asked more(loops, Source::cgal, true);
-        for (int k = 0; k < segments_of_a_scene; ++k) {
-            const Segment segment = random_segment(random);
-            const Visibility before = few.oracle(segment);
-            answers.add(before);
-            ASSERT_GE(more.oracle(segment), before) << seed << ' ' << k;
-        }
-    }
-    answers.expect_all_kinds();
-}
-
-// "Blocked is stable: so is every segment whose ends are near enough." Ends moved by 2^-60 of a unit, in fractions.
-TEST(VisibilityRandom, BlockedSurvivesEverySmallMove) {
-    Answers answers;
-    const Rational tiny = Rational(1) / Rational(Integer(1) << 60);
-    for (int seed = 0; seed < scenes / 4; ++seed) {
-        Random random(static_cast<std::uint64_t>(seed) + 2000000);
-        const Asked asked(random_scene(random), Source::cgal, true);
-        for (int k = 0; k < segments_of_a_scene; ++k) {
-            const Segment segment = random_segment(random);
-            const Visibility answer = asked.oracle(segment);
-            answers.add(answer);
-            if (answer == Visibility::grazing) continue;
-            const auto moved = [&](const ExactPoint& point) {
-                RationalPoint p = point.rational();
-                for (int axis = 0; axis < 3; ++axis) p[axis] += random.integer(-3, 3) * tiny;
-                return ExactPoint(p);
-            };
-            // Clear is stable only away from the ends' own pieces; blocked always.
-            if (answer == Visibility::blocked) {
-                ASSERT_EQ(asked.oracle({moved(segment.from), moved(segment.to)}), Visibility::blocked)
-                    << seed << ' ' << k;
-            }
-        }
-    }
-    answers.expect_all_kinds();
-}
-
 // "Hints never change an answer."; "nearest blocker", "against" and "contacts" tell one story.
 TEST(VisibilityRandom, TheWaysOfAskingAgree) {
     int hinted = 0, blockers = 0;

@@ -1,6 +1,7 @@
 // "The same answers, byte for byte, from every source of candidates on every shipped scene and 10^6 random segments".
 // SPEC 6: the source of candidates is no part of the answer.
 #include "cob/shooter.hpp"
+#include "geometry/candidate_list.hpp"
 #include "visibility/random.hpp"
 
 #include <gtest/gtest.h>
@@ -88,7 +89,7 @@ TEST(Sources, OneAnswerWhateverTheScale) {
         };
         for (Loop& loop : loops)
             for (Point& p : loop) p = placed(p);
-        const Scene scene = scene_of(loops, true);
+        const Scene scene = scene_of(loops, Vertices::shared, true);
         std::vector<Segment> segments;
         for (int k = 0; k < 50; ++k) {
             const int finite = exponent > 1010 ? 7 : 5000;
@@ -103,19 +104,13 @@ TEST(Sources, OneAnswerWhateverTheScale) {
 TEST(Sources, BoundsNameEveryPolygonThatMeetsThem) {
     for (int seed = 0; seed < 100; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const Scene scene = scene_of(lattice_soup(random, random.integer(1, 30), 6), true);
+        const Scene scene = scene_of(lattice_soup(random, random.integer(1, 30), 6), Vertices::shared, true);
         for (int k = 0; k < 10; ++k) {
             const Point low = random.lattice_point(0, 5);
             const std::array<double, 6> bounds{low.x, low.y, low.z, low.x + 1, low.y + random.integer(0, 2), low.z + 1};
             std::vector<std::vector<PolygonId>> named;
             for (const Source source : sources()) {
-                named.emplace_back();
-                make_candidates(scene, source)->polygons_in(bounds, {&named.back(), [](void* context, std::int32_t id) {
-                                                                         static_cast<std::vector<PolygonId>*>(context)
-                                                                             ->push_back(id);
-                                                                         return true;
-                                                                     }});
-                std::sort(named.back().begin(), named.back().end());
+                named.push_back(polygons_in(*make_candidates(scene, source), bounds));
                 EXPECT_EQ(named.back(), named.front()) << seed << ' ' << to_text(source);
             }
         }
