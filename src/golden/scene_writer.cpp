@@ -41,8 +41,9 @@ void append_face(std::string& text, const Scene& scene, PolygonId id) {
     const auto loop = scene.loop(id);
     text += "f";
     for (const VertexId corner : loop) text += " " + std::to_string(corner + 1);
-    // An invalid polygon may have fewer than three corners left; its line must still be one of a face.
-    for (std::size_t k = loop.size(); k < 3; ++k) text += " " + std::to_string(loop[loop.size() - 1] + 1);
+    // An invalid polygon may have fewer than three corners left, and none; read back it is one again.
+    const VertexId last = loop.empty() ? 0 : loop[loop.size() - 1];
+    for (std::size_t k = loop.size(); k < 3 && !scene.positions().empty(); ++k) text += " " + std::to_string(last + 1);
     text += "\n";
 }
 

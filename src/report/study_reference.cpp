@@ -4,6 +4,7 @@
 #include "cob/irradiance.hpp"
 #include "cob/visibility.hpp"
 #include "geometry/bounds.hpp"
+#include "geometry/convex_polygon.hpp"
 #include "report/study_points.hpp"
 
 #include <algorithm>
@@ -169,9 +170,9 @@ Scene dimmed(const Scene& scene) {
 }
 
 PointOnRoot point_on_root(const Scene& scene, const Root& root, const std::array<double, 2>& coordinates) {
-    const std::vector<Point> p = outline(scene, root);
-    return {point_in(scene, root, root_element(root.id), coordinates[0], coordinates[1]),
-            cross(to_rational(p[1]) - to_rational(p[0]), to_rational(p[2]) - to_rational(p[0]))};
+    const Element whole = root_element(root.id);
+    return {point_in(scene, root, whole, coordinates[0], coordinates[1]),
+            area_vector(polygon_of(corners(scene, root, whole)))};
 }
 
 StudyReference study_reference(const Scene& scene, std::size_t points, const Progress& progress,

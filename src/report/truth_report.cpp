@@ -4,6 +4,7 @@
 #include "cob/files.hpp"
 #include "cob/irradiance.hpp"
 #include "cob/patch_visibility.hpp"
+#include "geometry/convex_polygon.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace cob {
 namespace {
 
 constexpr int grid = 5;  ///< Samples along a side.
+/// Pairs of sub-patches looked at for a segment to a light that no sample sees.
+constexpr std::uint64_t pairs_between_samples = 3000;
 
 /// Place of a sample along a side. Neighbours are just within a quarter, and the outermost near the ends: the sharp
 /// shadow of what stands or hovers at an element's side is near that side.
@@ -39,11 +42,6 @@ std::vector<Sample> samples_of(const Scene& scene, const Root& root, const Eleme
     return samples;
 }
 
-RationalPoint normal_of(const Corners& corners) {
-    const RationalPoint a = corners.points[0].rational();
-    return cross(corners.points[1].rational() - a, corners.points[2].rational() - a);
-}
-
 /// What one light does to one element.
 struct LightOnElement {
     bool faces = false, boundary = false, sharp = false;
@@ -57,11 +55,11 @@ struct ElementTruth {
     BufferState state = BufferState::empty;
     int lights = 0, boundaries = 0, sharp = 0;
     double hemisphere = 0;  ///< Largest share of the hemisphere from which a sample is lit.
-    bool together = false;  ///< Faces lights, all out of sight, from one of them by no one polygon.
+    bool together = false;  ///< Faces lights, all out of sight, one of them by no one polygon.
 
     bool vain() const { return state == BufferState::close && boundaries == 0; }
     bool missed() const { return state != BufferState::close && sharp > 0; }
-    bool lit_though_occluded() const { return state == BufferState::occluded && hemisphere > 0; }
+    bool lit_though_occluded() const { return state == BufferState::occluded && (hemisphere > 0 || boundaries > 0); }
     bool shut_out_together() const { return state != BufferState::occluded && together; }
 };
 
@@ -75,6 +73,7 @@ public:
 
 private:
     LightOnElement relate(const Element& element, const ConvexPatch& patch, PolygonId light) const;
+    bool is_lit_between(const ConvexPatch& patch, const std::vector<ConvexPatch>& parts) const;
 
     const ElementList& elements_;
     PatchVisibility visibility_;
@@ -87,22 +86,23 @@ LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, P
     LightOnElement result;
 
     // The exact relations to the light's pieces.
-    PatchOptions relation_only;
-    relation_only.max_pairs = 0;
-    int visible = 0, hidden = 0, facing = 0;
+    std::vector<ConvexPatch> neither;
+    int visible = 0, facing = 0;
     for (const Piece& piece : scene.pieces_of(light)) {
-        const PatchAnswer answer = visibility_(patch, patch_of(scene, piece), relation_only);
+        const ConvexPatch part = patch_of(scene, piece);
+        const PatchAnswer answer = visibility_(patch, part, {1, 0, 0});
         if (!answer.facing) continue;
         ++facing;
         visible += answer.relation == PatchRelation::visible;
-        hidden += answer.relation == PatchRelation::hidden;
+        if (answer.relation != PatchRelation::visible && answer.relation != PatchRelation::hidden)
+            neither.push_back(part);
     }
     result.faces = facing > 0;
-    result.hidden_by_one = facing > 0 && hidden == facing;
+    result.hidden_by_one = facing > 0 && visible == 0 && neither.empty();
     if (!result.faces || result.hidden_by_one) return result;
 
     // The light as samples see it.
-    const RationalPoint normal = normal_of(corners(scene, root, element));
+    const RationalPoint normal = area_vector(polygon_of(corners(scene, root, element)));
     const std::vector<Sample> samples = samples_of(scene, root, element);
     std::vector<std::optional<double>> shares;
     const double hemisphere = 2 * std::acos(-1.0);
@@ -113,12 +113,20 @@ LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, P
     }
     if (visible == facing) return result;
     result.boundary = std::any_of(result.hemisphere.begin(), result.hemisphere.end(), [](double s) { return s > 0; });
+    if (!result.boundary) result.boundary = is_lit_between(patch, neither);
     for (std::size_t p = 0; p < samples.size(); ++p)
         for (std::size_t q = 0; q < p; ++q)
             if (std::abs(samples[p].i - samples[q].i) + std::abs(samples[p].j - samples[q].j) == 1 && shares[p] &&
                 shares[q] && std::abs(*shares[p] - *shares[q]) >= 0.5)
                 result.sharp = true;
     return result;
+}
+
+/// No sample sees these parts of a light: whether a segment elsewhere does.
+bool Judge::is_lit_between(const ConvexPatch& patch, const std::vector<ConvexPatch>& parts) const {
+    return std::any_of(parts.begin(), parts.end(), [&](const ConvexPatch& part) {
+        return visibility_(patch, part, {0, 0, pairs_between_samples}).clear.has_value();
+    });
 }
 
 ElementTruth Judge::operator()(std::uint64_t number, BufferState state) const {
@@ -140,7 +148,7 @@ ElementTruth Judge::operator()(std::uint64_t number, BufferState state) const {
         for (std::size_t k = 0; k < seen.hemisphere.size(); ++k) hemisphere[k] += seen.hemisphere[k];
     }
     for (double share : hemisphere) truth.hemisphere = std::max(truth.hemisphere, share);
-    truth.together = several && truth.hemisphere == 0;
+    truth.together = several && truth.hemisphere == 0 && truth.boundaries == 0;
     return truth;
 }
 

@@ -31,10 +31,10 @@ struct TruthSummary {
     std::uint64_t sharp = 0;                           ///< with a sharp one.
     std::uint64_t refined_in_vain = 0;                 ///< State close, and no boundary.
     std::uint64_t sharp_missed = 0;                    ///< A sharp boundary, and state empty or occluded.
-    std::uint64_t occluded_lit = 0;                    ///< State occluded, and some light reaches a sample,
+    std::uint64_t occluded_lit = 0;                    ///< State occluded, and some light reaches it,
     double occluded_lit_hemisphere = 0;                ///< at most with this share of the hemisphere's solid angle.
-    std::uint64_t shut_out_together = 0;  ///< Not occluded, yet no light that faces it reaches any sample, and from
-                                          ///< some light no one polygon alone hides it.
+    std::uint64_t shut_out_together = 0;  ///< Not occluded, yet no light that faces it was found to reach it, and some
+                                          ///< light is hidden by no one polygon alone.
     double seconds = 0;
 };
 

@@ -56,10 +56,16 @@ Judgement judge(std::vector<Point> positions) {
             "sides " + std::to_string(pair->first + 1) + " and " + std::to_string(pair->second + 1) + " cross";
         return judgement;
     }
+    // Ears of a loop that winds around something twice would lie on each other.
+    if (judgement.planar && touches_itself(loop)) {
+        WoundTriangles wound = triangulate_wound(loop);
+        if (wound.most > 1) judgement.triangles = std::move(wound.triangles);
+    }
+    if (!judgement.triangles.empty()) return judgement;
     if (auto triangles = cut_ears(loop))
         judgement.triangles = std::move(*triangles);
     else if (judgement.planar)
-        judgement.triangles = triangulate_wound(loop);  // such loops turn clockwise somewhere, or twice around
+        judgement.triangles = triangulate_wound(loop).triangles;  // such loops turn clockwise somewhere
     else
         judgement.refusal = "no triangle can be cut off";
     return judgement;

@@ -49,7 +49,14 @@ using EarTriangle = std::array<std::uint32_t, 3>;
 std::optional<std::vector<EarTriangle>> cut_ears(const SeenLoop& loop);
 
 /// Triangles that make up a planar polygon whose sides do not cross, whatever its loop: "the closed set of the points
-/// that its loop winds around", either way (SPEC 2).
-std::vector<EarTriangle> triangulate_wound(const SeenLoop& loop);
+/// that its loop winds around", either way (SPEC 2). No two lie on each other.
+struct WoundTriangles {
+    std::vector<EarTriangle> triangles;
+    int most = 0;  ///< How often the loop winds around some point, at most.
+};
+WoundTriangles triangulate_wound(const SeenLoop& loop);
+
+/// Some corner stands on a side that it does not end, as seen. Else a loop whose sides do not cross winds once.
+bool touches_itself(const SeenLoop& loop);
 
 }  // namespace cob

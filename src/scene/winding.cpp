@@ -11,6 +11,8 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -125,17 +127,27 @@ void find_windings(Triangulation& triangulation, const NetSides& net) {
 
 }  // namespace
 
-std::vector<EarTriangle> triangulate_wound(const SeenLoop& loop) {
+bool touches_itself(const SeenLoop& loop) {
+    const std::vector<std::uint32_t> first = first_at_position(loop);
+    for (std::uint32_t k = 0; k < loop.size(); ++k)
+        if (first[k] != k) return true;
+    const auto on_sides = corners_on_sides(loop, first);
+    return std::any_of(on_sides.begin(), on_sides.end(), [](const auto& corners) { return corners.size() > 2; });
+}
+
+WoundTriangles triangulate_wound(const SeenLoop& loop) {
     const std::vector<std::uint32_t> first = first_at_position(loop);
     const NetSides net = net_sides(loop, first);
     Triangulation triangulation = triangulate(loop, first, net);
     find_windings(triangulation, net);
-    std::vector<EarTriangle> triangles;
-    for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
+    WoundTriangles result;
+    for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
+        result.most = std::max(result.most, std::abs(*face->info()));
         if (*face->info() != 0)
-            triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-    if (triangles.empty()) throw std::logic_error("a polygon of positive area winds around nothing");
-    return triangles;
+            result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+    }
+    if (result.triangles.empty()) throw std::logic_error("a polygon of positive area winds around nothing");
+    return result;
 }
 
 }  // namespace cob

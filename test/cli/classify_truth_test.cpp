@@ -196,5 +196,26 @@ TEST_F(ClassifyTruth, RefusesWithoutLeavingFiles) {
     }
 }
 
+// "A boundary where it is neither visible nor hidden": also where the strip of light is too narrow for samples.
+TEST_F(ClassifyTruth, ABoundaryBetweenTheSamplesIsFound) {
+    const Row row = truth(scene("usemtl grey\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
+                                "v -1 -1 .01\nv .1 -1 .01\nv .1 2 .01\nv -1 2 .01\nf 5 6 7 8\n"
+                                "v .15 -1 .01\nv 2 -1 .01\nv 2 2 .01\nv .15 2 .01\nf 9 10 11 12\n"
+                                "usemtl lamp\nv .1 .4 1\nv .1 .6 1\nv .15 .6 1\nv .15 .4 1\nf 13 14 15 16\n"),
+                          "");
+    EXPECT_EQ(row.at("elements"), "4");
+    EXPECT_GE(std::stoi(row.at("boundary")), 1);
+    EXPECT_EQ(row.at("shut_out_together"), "0");
+}
+
+// SPEC 2: "straight angles are allowed", whichever corners they are at.
+TEST_F(ClassifyTruth, TakesElementsWithStraightAngles) {
+    EXPECT_EQ(truth(scene("usemtl grey\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n"
+                          "usemtl lamp\nv 0 0 1\nv 0 1 1\nv 1 1 1\nv 1 0 1\nf 5 6 7 8\n"),
+                    "")
+                  .at("boundary"),
+              "0");
+}
+
 }  // namespace
 }  // namespace cob

@@ -91,6 +91,21 @@ TEST(Pieces, AConvexPolygonIsOne) {
     EXPECT_EQ(scene.pieces()[0].corner_count, 5u);
 }
 
+// "The closed set of the points that its loop winds around": twice around is no more of it than once.
+TEST(Pieces, ALoopThatWindsTwiceIsCoveredOnce) {
+    const auto area = [](const Scene& scene) {
+        double sum = 0;
+        for (const Triangle& t : triangles_of(scene))
+            sum += ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x)) / 2;
+        return sum;
+    };
+    EXPECT_EQ(area(build_one({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})),
+              1);
+    EXPECT_EQ(area(build_one({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}})), 1);
+    // A spiral: the inner triangle is wound around twice, without a side run twice.
+    EXPECT_EQ(area(build_one({{0, 4, 0}, {0, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}})), 16);
+}
+
 // One ulp out of the plane: "A polygon that is not planar is the union of triangles, its pieces".
 TEST(Pieces, PlanarityIsExact) {
     const double z = std::nextafter(1.0, 2.0);
