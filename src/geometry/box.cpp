@@ -96,6 +96,9 @@ Box::Prepared::Prepared(const BoxQuestion& question_) : question(question_) {
         base_exact = aligned->base.rest == 0 && scale >= 1;  // scaling down could underflow
         coordinate_error = 4 * unit_roundoff;
     } else {
+        // A fraction this small is near no binary64 number, one too large has none.
+        const double longest = largest_component(question.u.nearest());
+        if (!(longest > 0x1p-900 && std::isfinite(longest))) return;
         const Vector3<double> u_exponent = normalised_exponent(question.u.nearest());
         u = (1 / norm(u_exponent)) * u_exponent;
         const double across_norm = norm(across);

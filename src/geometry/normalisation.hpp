@@ -49,7 +49,7 @@ struct NormalSegment {
     enum class Kind : std::uint8_t {
         within,   ///< The rest holds.
         outside,  ///< No part of it is within reach.
-        far_off   ///< Nothing is known: an end is too far off to be cut in binary64.
+        far_off   ///< Nothing is known: an end is too far off, or known too roughly, to be cut in binary64.
     };
     Kind kind = Kind::within;
     Point from, to;
@@ -69,7 +69,8 @@ inline NormalSegment normalised(const Normalisation& normalise, const Point& fro
     NormalSegment result{NormalSegment::Kind::within, normalise(from), normalise(to), normalise.error()};
     const Point x = result.from, y = result.to;
     if (within(x, reach) && within(y, reach)) return result;
-    if (!within(x, farthest) || !within(y, farthest)) {
+    // Where half an ulp of an end is as large as the scene, an end outside may be inside.
+    if (!within(x, farthest) || !within(y, farthest) || !(normalise.error() < 1)) {
         result.kind = NormalSegment::Kind::far_off;
         return result;
     }

@@ -198,7 +198,8 @@ private:
         double bound = plane.error * (greatest(r) + off) + 1e-300;
         if (off > 0) bound += plane.size() * off;
         const double value = dot(plane.normal, r);
-        return value > bound ? Sign::positive : value < -bound ? Sign::negative : Sign::zero;  // also with NaN
+        if (!std::isfinite(value)) return Sign::zero;  // one product may overflow that two others outweigh
+        return value > bound ? Sign::positive : value < -bound ? Sign::negative : Sign::zero;
     }
 
     /// The bound of a determinant of d and two differences from x, each at most `size` in every coordinate: as the

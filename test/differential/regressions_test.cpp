@@ -1,5 +1,6 @@
 // Differences from the naive twin that were found, each with its reason.
 #include "cob/candidates.hpp"
+#include "cob/classification.hpp"
 #include "cob/geometry.hpp"
 #include "cob/visibility.hpp"
 #include "differential/scenes.hpp"
@@ -13,7 +14,7 @@ namespace {
 struct VisibilityRow {
     const char* reason;
     std::vector<std::vector<Point>> faces;
-    Point from, to;
+    RationalPoint from, to;
     Visibility answer;
 };
 
@@ -41,6 +42,18 @@ const VisibilityRow visibility_rows[] = {
      {0, 0, -4},
      {0, 0, 4},
      Visibility::grazing},
+    {"One product of the side of an end overflows, and two others outweigh it.",
+     {{{-6.8000000000000005e+50, 3.8e+50, 3.8e+50},
+       {3.4000000000000003e+50, -9.900000000000002e+50, 6.1e+50},
+       {3.4000000000000003e+50, 6.1e+50, -9.900000000000002e+50}}},
+     to_rational(Point{-1e40, 1e40, 1e40}),
+     to_rational(Point{1.042e206, -1.042e206, -1.042e206}),
+     Visibility::blocked},
+    {"Half an ulp of an end is many times the scene.",
+     {{{1e15, -0x1p-8, -0x1p-8}, {1e15, 0x1p-8, -0x1p-8}, {1e15, 0, 0x1p-8}}},
+     {Rational(1024000000000000065, 1024), Rational(-325, 4096), 0},
+     {Rational(1023999999999999937, 1024), Rational(315, 4096), 0},
+     Visibility::blocked},
 };
 
 TEST(Regressions, Visibility) {
@@ -48,17 +61,19 @@ TEST(Regressions, Visibility) {
         std::vector<naive::Face> faces;
         for (const auto& corners : row.faces) faces.push_back({corners, false});
         const Scene scene = library_scene(faces);
-        const auto source = make_candidates(scene, Source::all);
-        const VisibilityOracle oracle(scene, *source);
-        EXPECT_EQ(oracle({row.from, row.to}), row.answer) << row.reason;
-        EXPECT_EQ(oracle({row.to, row.from}), row.answer) << row.reason;
+        const ExactPoint from(row.from), to(row.to);
+        for (const Source kind : {Source::all, Source::cgal, Source::octree, Source::embree}) {
+            if (!is_available(kind)) continue;
+            const auto source = make_candidates(scene, kind);
+            const VisibilityOracle oracle(scene, *source);
+            EXPECT_EQ(oracle({from, to}), row.answer) << to_text(kind) << ": " << row.reason;
+            EXPECT_EQ(oracle({to, from}), row.answer) << to_text(kind) << ": " << row.reason;
+        }
 
         const auto items = naive_scene(faces);
         std::vector<const naive::Polygon*> polygons;
         for (const naive::SceneItem& item : items) polygons.push_back(&item.polygon);
-        EXPECT_STREQ(naive::to_text(naive::visibility(polygons, to_rational(row.from), to_rational(row.to))),
-                     to_text(row.answer))
-            << row.reason;
+        EXPECT_STREQ(naive::to_text(naive::visibility(polygons, row.from, row.to)), to_text(row.answer)) << row.reason;
     }
 }
 
@@ -72,6 +87,24 @@ TEST(Regressions, CoplanarIsSaidOfThePieces) {
     question.corners = {{Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{}}, 3};
     question.u = Point{1, 0, 0};
     EXPECT_EQ(relate(scene, 0, Box(question)).relation, Relation::coplanar);
+}
+
+// SPEC 4: only the direction of u counts, be it a fraction that no binary64 number is near.
+TEST(Regressions, DirectionsMayBeTinyFractions) {
+    const Scene scene = library_scene({{{{2.25, 1.2, 0.1}, {2.3, 1.2, 0.1}, {2.25, 1.22, 0.2}}, false}});
+    const auto source = make_candidates(scene, Source::cgal);
+    const Rational unit(1, 3 * (Integer(1) << 1074)), huge(Integer(1) << 1100);
+    for (const Rational& length : {Rational(1), unit, huge}) {
+        BoxQuestion question;
+        question.corners = {{Point{0, 0, 0}, Point{2, 2, 0}, Point{0, 4, 0}, Point{-2, 2, 0}}, 4};
+        question.u = ExactPoint(RationalPoint{2 * length, length, 0});
+        question.margin = 0;
+        question.height = Rational(1, 4);
+        EXPECT_EQ(relate(scene, 0, Box(question)).relation, Relation::crossing) << length;
+        Classification found;
+        BoxClassifier(scene).from_scene(Box(question), *source, found);
+        EXPECT_EQ(found.state, BufferState::close);
+    }
 }
 
 }  // namespace
