@@ -24,8 +24,9 @@ struct FormFactorOptions {
     /// Certified bounds instead of an estimate: the value is the middle, the error half the width, and the true
     /// value lies between. The subdivision stops at a width of 2 tolerance or at max_subdivisions.
     bool certified = false;
-    std::uint64_t max_evaluations = 200000;  ///< Exact point values for one pair of pieces.
-    std::uint64_t max_subdivisions = 4000;   ///< Pairs of patches looked at for one pair of pieces, certified only.
+    /// Exact point values for one pair of pieces; as many again, received at the other, where the goal is not reached.
+    std::uint64_t max_evaluations = 200000;
+    std::uint64_t max_subdivisions = 4000;  ///< The same, of triangles of the receiver, certified only.
     /// Both triangles of the matrix on their own, so that reciprocity can be checked; else the larger polygon's
     /// value follows from the smaller's.
     bool both_sides = false;
@@ -51,7 +52,7 @@ struct FormFactorPlan {
 
 struct FormFactorResult {
     std::vector<PolygonFormFactor> values;  ///< All that are not zero, ascending by from, then to.
-    std::uint64_t evaluations = 0;          ///< Exact point values, or pairs of patches where certified.
+    std::uint64_t evaluations = 0;          ///< Exact point values, or triangles of the receiver where certified.
     std::uint64_t above_goal = 0;           ///< Values whose error stayed above the tolerance.
     /// With both_sides: the largest |A_i F_ij - A_j F_ji| / min(A_i, A_j), and the largest share of it in the sum
     /// of both errors so weighted (at most 1 where the errors hold).

@@ -70,7 +70,10 @@ void run(const Arguments& arguments) {
         std::printf("reciprocity: both sides differ by at most %.2g, %.2g of the sum of their errors\n",
                     result.reciprocity, result.reciprocity_in_errors);
     else
-        std::printf("reciprocity: used, each pair computed once, at the smaller polygon (--both-sides checks it)\n");
+        std::printf(
+            "reciprocity: used, each pair computed at the smaller polygon, at both where that falls short "
+            "(--both-sides checks "
+            "it)\n");
 }
 
 }  // namespace
@@ -85,13 +88,13 @@ void add_formfactors(CLI::App& app) {
     command->add_option("--tolerance", arguments->options.tolerance, "Goal of the error of each form factor");
     command
         ->add_option("--evaluations", arguments->options.max_evaluations,
-                     "At most so many exact point values for a pair of pieces")
+                     "At most so many exact point values for a pair of pieces, from each side")
         ->check(CLI::PositiveNumber);
     command->add_flag("--certified", arguments->options.certified,
                       "Guaranteed bounds: the true value is within error of form_factor");
     command
         ->add_option("--subdivisions", arguments->options.max_subdivisions,
-                     "At most so many pairs of patches for a pair of pieces (--certified)")
+                     "At most so many triangles for a pair of pieces, from each side (--certified)")
         ->check(CLI::PositiveNumber);
     command->add_flag("--both-sides", arguments->options.both_sides,
                       "Compute F_ij and F_ji on their own and report how well A_i F_ij = A_j F_ji holds");

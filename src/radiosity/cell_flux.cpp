@@ -133,12 +133,12 @@ Interval range_over_cell(const PairShapes& shapes, const Triangle2D& cell, const
     return {std::clamp(range.low(), 0.0, 1.0), std::clamp(range.high(), 0.0, 1.0)};
 }
 
-double lipschitz_bound(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
-                       const std::vector<const CornerLoop*>& occluders) {
+Motion motion_over_cell(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
+                        const std::vector<const CornerLoop*>& occluders) {
     constexpr double up = 1 + 1e-9;  // pays for all roundings here
     const Point2D centre = centroid(cell);
     const double radius = reach(cell);
-    double sum = 0;
+    Motion motion;
     const auto add = [&](const CornerLoop& loop) {
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const auto at = [&](VertexId v) {
@@ -151,17 +151,19 @@ double lipschitz_bound(const PairShapes& shapes, const Triangle2D& cell, const s
             const Vector3<double> nearest = a + along * d;
             const double distance = (std::sqrt(dot(nearest, nearest)) - 1e-12) / up - radius;
             if (!(distance > 0)) {
-                sum = HUGE_VAL;
+                motion = {HUGE_VAL, HUGE_VAL};
                 return;
             }
             const double angle = std::min(pi_low * up, length * up / distance);
             const double cosine = std::min(1.0, (std::max(a.z, b.z) + 1e-12) * up / distance);
-            sum += angle * cosine / distance * up;
+            const double change = angle * cosine / distance / pi_low * up;
+            motion.of_all_sides += change * up;
+            motion.of_one_side = std::max(motion.of_one_side, change);
         }
     };
     for (const CornerLoop& light : lights) add(light);
     for (const CornerLoop* occluder : occluders) add(*occluder);
-    return sum / pi_low * up;
+    return motion;
 }
 
 }  // namespace cob::radiosity

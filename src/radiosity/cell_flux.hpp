@@ -18,7 +18,11 @@ Interval range_over_cell(const PairShapes& shapes, const Triangle2D& cell, const
 /// At most how much the form factor to what is seen changes per length, wherever in the cell: the border of what is
 /// seen, as directions, moves by at most 1 / distance, and a side's part of it is as long as the angle under which the
 /// side is seen. Whatever the structure is.
-double lipschitz_bound(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
-                       const std::vector<const CornerLoop*>& occluders);
+struct Motion {
+    double of_all_sides = 0;
+    double of_one_side = 0;  ///< The most that one of them contributes.
+};
+Motion motion_over_cell(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
+                        const std::vector<const CornerLoop*>& occluders);
 
 }  // namespace cob::radiosity

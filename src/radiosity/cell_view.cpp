@@ -125,30 +125,26 @@ IntervalPoint PlanesOverCell::towards(VertexId v, const Interval& s, const Inter
     return {corner.x - s, corner.y - t, corner.z};
 }
 
-Sign PlanesOverCell::linear_sign(VertexId a, VertexId b, VertexId v) const {
+Sign PlanesOverCell::linear_sign(VertexId a, VertexId b, VertexId v, const IntervalPoint* normals) const {
     std::array<Interval, 3> values;
     for (std::size_t k = 0; k < 3; ++k)
-        values[k] = determinant(towards(a, cell_[k]), towards(b, cell_[k]), towards(v, cell_[k]));
+        values[k] = dot(normals[k], towards(v, Interval(cell_[k].s), Interval(cell_[k].t)));
     if (const auto sign = sign_of_coefficients(values, sliver_)) return *sign;
     if (std::all_of(values.begin(), values.end(), zero_inside) && shapes_->always_in_plane(a, b, v)) return Sign::zero;
     throw UndecidedSign{true, {values[0].middle(), values[1].middle(), values[2].middle()}};
 }
 
+Sign PlanesOverCell::linear_sign(VertexId a, VertexId b, VertexId v) const {
+    std::array<IntervalPoint, 3> normals;
+    for (std::size_t k = 0; k < 3; ++k) normals[k] = normal(a, b, Interval(cell_[k].s), Interval(cell_[k].t));
+    return linear_sign(a, b, v, normals.data());
+}
+
 Sign PlanesOverCell::quadratic_sign(std::int32_t p, std::int32_t q, std::int32_t r) const {
-    const auto at = [&](const Interval& s, const Interval& t) {
-        const auto normal = [&](std::int32_t plane) {
-            return cross(towards(edge(plane)[0], s, t), towards(edge(plane)[1], s, t));
-        };
-        return determinant(normal(p), normal(q), normal(r));
-    };
     std::array<Interval, 6> values;
-    for (std::size_t k = 0; k < 3; ++k) values[k] = at(Interval(cell_[k].s), Interval(cell_[k].t));
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Point2D &a = cell_[k], &b = cell_[(k + 1) % 3];
-        const Interval middle =
-            at(Interval(0.5) * (Interval(a.s) + Interval(b.s)), Interval(0.5) * (Interval(a.t) + Interval(b.t)));
-        values[k + 3] = Interval(2) * middle - Interval(0.5) * (values[k] + values[(k + 1) % 3]);
-    }
+    for (std::size_t k = 0; k < 6; ++k) values[k] = determinant(at(p).normals[k], at(q).normals[k], at(r).normals[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+        values[k + 3] = Interval(2) * values[k + 3] - Interval(0.5) * (values[k] + values[(k + 1) % 3]);
     if (const auto sign = sign_of_coefficients(values, sliver_)) return *sign;
     if (std::all_of(values.begin(), values.end(), zero_inside)) {
         const auto &e = edge(p), &f = edge(q), &g = edge(r);
@@ -160,8 +156,17 @@ Sign PlanesOverCell::quadratic_sign(std::int32_t p, std::int32_t q, std::int32_t
 PlaneRef PlanesOverCell::through_edge(VertexId a, VertexId b) {
     const bool flipped = a > b;
     if (flipped) std::swap(a, b);
-    const auto [known, is_new] = known_.try_emplace({a, b}, static_cast<std::int32_t>(edges_.size()));
-    if (is_new) edges_.push_back({a, b});
+    const auto [known, is_new] = known_.try_emplace({a, b}, plane_count());
+    if (is_new) {
+        Plane plane{{a, b}, {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point2D &x = cell_[k], &y = cell_[(k + 1) % 3];
+            plane.normals[k] = normal(a, b, Interval(x.s), Interval(x.t));
+            plane.normals[k + 3] = normal(a, b, Interval(0.5) * (Interval(x.s) + Interval(y.s)),
+                                          Interval(0.5) * (Interval(x.t) + Interval(y.t)));
+        }
+        planes_.push_back(plane);
+    }
     return {known->second, flipped};
 }
 
@@ -185,7 +190,8 @@ Sign PlanesOverCell::side(PlaneRef plane, const Ray& ray) const {
     if (ray.first.index == plane.index || ray.second.index == plane.index) return Sign::zero;
     if (ray.vertex >= 0) {
         if (contains(plane, ray.vertex)) return Sign::zero;
-        const Sign sign = linear_sign(edge(plane.index)[0], edge(plane.index)[1], ray.vertex);
+        const auto& [a, b] = edge(plane.index);
+        const Sign sign = linear_sign(a, b, ray.vertex, at(plane.index).normals.data());
         return plane.flipped != ray.opposite ? -sign : sign;
     }
     const Sign sign = quadratic_sign(plane.index, ray.first.index, ray.second.index);

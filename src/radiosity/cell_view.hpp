@@ -74,22 +74,31 @@ public:
     /// Certainly, the cones of both have no common inside. May say no.
     bool apart(const CornerLoop& one, const CornerLoop& other);
 
-    std::int32_t plane_count() const { return static_cast<std::int32_t>(edges_.size()); }
-    const std::array<VertexId, 2>& edge(std::int32_t plane) const { return edges_[static_cast<std::size_t>(plane)]; }
+    std::int32_t plane_count() const { return static_cast<std::int32_t>(planes_.size()); }
+    const std::array<VertexId, 2>& edge(std::int32_t plane) const { return at(plane).edge; }
     /// Share of the cell's area, at most, on which some sign is another: slivers along cuts that are rounded.
     double sliver() const { return sliver_; }
 
 private:
+    struct Plane {
+        std::array<VertexId, 2> edge;
+        std::array<IntervalPoint, 6> normals;  ///< At the cell's corners and the middles of its sides.
+    };
+    const Plane& at(std::int32_t plane) const { return planes_[static_cast<std::size_t>(plane)]; }
     IntervalPoint towards(VertexId v, const Interval& s, const Interval& t) const;
-    IntervalPoint towards(VertexId v, const Point2D& x) const { return towards(v, Interval(x.s), Interval(x.t)); }
+    IntervalPoint normal(VertexId a, VertexId b, const Interval& s, const Interval& t) const {
+        return cross(towards(a, s, t), towards(b, s, t));
+    }
     bool contains(PlaneRef plane, VertexId v) const { return edge(plane.index)[0] == v || edge(plane.index)[1] == v; }
+    /// The sign of [a - x, b - x, v - x]; normals: of the plane through a and b at the corners.
+    Sign linear_sign(VertexId a, VertexId b, VertexId v, const IntervalPoint* normals) const;
     Sign linear_sign(VertexId a, VertexId b, VertexId v) const;
     Sign quadratic_sign(std::int32_t p, std::int32_t q, std::int32_t r) const;
     std::optional<Sign> outside_of(VertexId a, VertexId b, const CornerLoop& other) const;
 
     const PairShapes* shapes_;
     Triangle2D cell_;
-    std::vector<std::array<VertexId, 2>> edges_;
+    std::vector<Plane> planes_;
     std::map<std::array<VertexId, 2>, std::int32_t> known_;
     mutable double sliver_ = 0;
 };

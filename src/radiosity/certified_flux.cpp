@@ -102,7 +102,8 @@ void CertifiedCubature::tighten(Cell& cell) const {
         const Triangle2D point{middle, middle, middle};
         const Interval value =
             range_over_cell(shapes_, point, visible_contour(shapes_, point, lights_, cell.occluders));
-        const double change = lipschitz_bound(shapes_, t, lights_, cell.occluders) * reach(t) * (1 + 1e-9);
+        const double change =
+            motion_over_cell(shapes_, t, lights_, cell.occluders).of_all_sides * reach(t) * (1 + 1e-9);
         const double all = area(t), less = all * (1 - 0x1p-46);
         cell.flux = {std::max(cell.flux.low(), less * (value.low() - change)),
                      std::min(cell.flux.high(), all * (value.high() + change) * (1 + 0x1p-50))};

@@ -68,16 +68,6 @@ RationalPoint PlanesThroughPoint::exact_before(PieceId near, PieceId far) const 
     return h_near * n_far - h_far * n_near;
 }
 
-std::uint64_t PlanesThroughPoint::key(PlaneRef ref) const {
-    const Plane& plane = at(ref);
-    std::uint64_t mixed = 0x9E3779B97F4A7C15;
-    for (std::int32_t part : {plane.a, plane.b, plane.near_piece, plane.far_piece}) {
-        mixed = (mixed ^ static_cast<std::uint32_t>(part)) * 0xBF58476D1CE4E5B9;
-        mixed ^= mixed >> 31;
-    }
-    return mixed;
-}
-
 BoundedVector PlanesThroughPoint::normal(PlaneRef ref) const {
     return ref.flipped ? -at(ref).normal : at(ref).normal;
 }
@@ -130,6 +120,7 @@ std::optional<Cone> PlanesThroughPoint::over(PieceId piece) {
     const auto n = loop.size();
     const auto corner = [&](std::size_t k) { return side == Sign::negative ? loop[k % n] : loop[n - 1 - k % n]; };
     Cone cone;
+    cone.planes.reserve(n), cone.rays.reserve(n);
     for (std::size_t k = 0; k < n; ++k) cone.planes.push_back(through_edge(corner(k), corner(k + 1)));
     for (std::size_t k = 0; k < n; ++k)
         cone.rays.push_back(

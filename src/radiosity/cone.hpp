@@ -70,10 +70,6 @@ public:
     /// The cone over a piece: nothing where x lies in its plane.
     std::optional<Cone> over(PieceId piece);
 
-    std::size_t size() const { return planes_.size(); }
-    /// A number, well mixed, that names what the plane goes through, the same from every viewpoint.
-    std::uint64_t key(PlaneRef plane) const;
-
 private:
     struct Plane {
         BoundedVector normal;

@@ -42,6 +42,7 @@ Cone keep(const Planes& planes, const Cone& cone, PlaneRef plane, const SideSign
     std::size_t start = 0;
     while (!(sides[start] == Sign::positive && sides[(start + n - 1) % n] != Sign::positive)) ++start;
     Cone result;
+    result.planes.reserve(n + 1), result.rays.reserve(n + 1);
     // Plane `start` ends in ray `start`, the first positive one: it is cut by the new plane and begins the run.
     std::size_t k = start;
     result.planes.push_back(cone.planes[k]);

@@ -100,6 +100,12 @@ struct FormFactorMatrix::Implementation {
     /// A_i F_ij of a pair; receiving at the larger polygon instead where turned.
     PairFlux flux(const PolygonPair& pair, bool turned, const std::function<void()>& pulse) const;
 
+    bool above_goal(const PolygonPair& pair, const Integral& flux) const {
+        return flux.error / polygons[pair.smaller].area + rounding > options.tolerance;
+    }
+    /// Of the same flux from both sides: what both bounds leave, or the better estimate.
+    PairFlux better(const PairFlux& a, const PairFlux& b) const;
+
     const Scene& scene;
     const CandidateSource& candidates;
     FormFactorOptions options;
@@ -108,6 +114,18 @@ struct FormFactorMatrix::Implementation {
     PairContext context;
     std::vector<PolygonPair> pairs;
 };
+
+PairFlux FormFactorMatrix::Implementation::better(const PairFlux& a, const PairFlux& b) const {
+    PairFlux result = a.flux.error <= b.flux.error ? a : b;
+    result.evaluations = a.evaluations + b.evaluations;
+    if (!options.certified) return result;
+    const double low = std::max(a.flux.value - a.flux.error, b.flux.value - b.flux.error),
+                 high = std::min(a.flux.value + a.flux.error, b.flux.value + b.flux.error);
+    const double roundings = 0x1p-50 * (std::abs(a.flux.value) + a.flux.error + std::abs(b.flux.value) + b.flux.error);
+    if (high - low + 2 * roundings < 2 * result.flux.error)
+        result.flux = {(low + high) / 2, (high - low) / 2 + roundings};
+    return result;
+}
 
 PairFlux FormFactorMatrix::Implementation::flux(const PolygonPair& pair, bool turned,
                                                 const std::function<void()>& pulse) const {
@@ -176,7 +194,8 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
     }
     if (obstructed_parts == 0) return plan;
     plan.occluders /= static_cast<double>(obstructed_parts);
-    // A few are timed; some 500 values a pair are usual at 1e-6 and a few occluders, more of both take more.
+    // A few are timed. At 1e-6 some 10,000 values times the square of the number of occluders are usual; certified, all
+    // subdivisions from both sides.
     const std::size_t samples = std::min<std::size_t>(timed.size(), self.options.certified ? 4 : 32);
     const std::uint64_t budget = std::min<std::uint64_t>(self.options.max_subdivisions, 50);
     const auto start = std::chrono::steady_clock::now();
@@ -190,10 +209,11 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
             sample_point(self.context, pair);
     }
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    const double values = self.options.certified
-                              ? static_cast<double>(self.options.max_subdivisions) / static_cast<double>(budget)
-                              : std::min((300 + 100 * plan.occluders) * std::pow(1e-6 / self.options.tolerance, 0.4),
-                                         static_cast<double>(self.options.max_evaluations));
+    const double values =
+        self.options.certified
+            ? 2 * static_cast<double>(self.options.max_subdivisions) / static_cast<double>(budget)
+            : std::min(1e4 * plan.occluders * plan.occluders * std::pow(1e-6 / self.options.tolerance, 0.4),
+                       2 * static_cast<double>(self.options.max_evaluations));
     plan.seconds = spent.count() / static_cast<double>(samples) * values * static_cast<double>(obstructed_parts);
     return plan;
 }
@@ -206,7 +226,10 @@ FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
         const auto pulse = [&counter] { counter.pulse(); };
         const PolygonPair& pair = self.pairs[k];
         fluxes[k][0] = self.flux(pair, false, pulse);
-        if (self.options.both_sides && pair.smaller != pair.larger) fluxes[k][1] = self.flux(pair, true, pulse);
+        if (self.options.both_sides && pair.smaller != pair.larger)
+            fluxes[k][1] = self.flux(pair, true, pulse);
+        else if (!self.options.both_sides && self.above_goal(pair, fluxes[k][0].flux))
+            fluxes[k][0] = self.better(fluxes[k][0], self.flux(pair, true, pulse));
         counter.step();
     });
 

@@ -62,18 +62,6 @@ std::vector<Vector3<double>> relative(const ReceiverFrame& frame, const ConvexPo
     return corners;
 }
 
-std::vector<Outline> outlines(const Scene& scene, const std::vector<PieceId>& occluders, const ReceiverFrame& frame) {
-    std::vector<Outline> result;
-    for (std::size_t k = 0; k < occluders.size();) {
-        const PolygonId polygon = scene.piece(occluders[k]).polygon;
-        std::vector<PieceId> pieces;
-        for (; k < occluders.size() && scene.piece(occluders[k]).polygon == polygon; ++k)
-            pieces.push_back(occluders[k]);
-        result.push_back(outline_of(scene, pieces, frame));
-    }
-    return result;
-}
-
 QuadratureResult unobstructed_flux(const PiecePair& pair, const ReceiverFrame& frame) {
     QuadratureResult result;
     for (const ConvexPolygon& a : pair.receiving)
@@ -119,15 +107,16 @@ PairParts parts_of(const PairContext& context, const PiecePair& pair) {
 }
 
 /// Is it certain that what is seen of the light has one structure over a triangle?
-Structure structure_of(const PairParts& parts, const std::vector<const CornerLoop*>& occluders, const Triangle2D& t) {
-    const std::vector<const CornerLoop*> there = between(parts.shapes, t, parts.lights, occluders);
+Structure structure_of(const PairParts& parts, const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
+    Structure structure;
+    structure.occluders = between(parts.shapes, t, parts.lights, occluders);
     try {
-        visible_contour(parts.shapes, t, parts.lights, there);
-        return {Structure::Kind::one, 0};
+        visible_contour(parts.shapes, t, parts.lights, structure.occluders);
     } catch (const UndecidedSign& event) {
-        const double change = lipschitz_bound(parts.shapes, t, parts.lights, there) * reach(t);
-        return {event.linear ? Structure::Kind::lines : Structure::Kind::curves, change};
+        structure.event = event;
+        structure.change = motion_over_cell(parts.shapes, t, parts.lights, structure.occluders).of_one_side * reach(t);
     }
+    return structure;
 }
 
 }  // namespace
@@ -160,38 +149,40 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     const ReceiverFrame frame(plane, context.pieces.scale());
     if (pair.passage == Passage::unobstructed) return unobstructed_flux(pair, frame);
 
-    // What is seen, at points and, nothing between, over triangles.
+    const PairParts parts = parts_of(context, pair);
     const ReceiverNormal normal(area_vector(plane));
     const LightPieces light{{pair.light}, context.polygons[context.scene.piece(pair.light).polygon].on_top};
     const std::vector<Vector3<double>> sender = relative(frame, pair.whole_sending);
     ReceiverIntegrand integrand;
-    integrand.at_point = [&](const Point2D& where) {
-        const LightView view = view_light(Viewpoint(context.pieces, frame.point_at(where)), normal, light,
-                                          pair.occluders, Precision::binary64);
-        return PointValue{view.unobstructed, view.visible, view.outline};
+    integrand.structure = [&](const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
+        return structure_of(parts, t, occluders);
+    };
+    integrand.at_point = [&](const Point2D& where, const std::vector<const CornerLoop*>& occluders) {
+        std::vector<PieceId> pieces;
+        for (const CornerLoop* occluder : occluders)
+            pieces.push_back(parts.pieces[static_cast<std::size_t>(occluder - parts.occluders.data())]);
+        const LightView view =
+            view_light(Viewpoint(context.pieces, frame.point_at(where)), normal, light, pieces, Precision::binary64);
+        return PointValue{view.unobstructed, view.visible};
     };
     integrand.unobstructed = [&](const Triangle2D& t) {
-        return mutual_flux({frame.relative_at(t[0]), frame.relative_at(t[1]), frame.relative_at(t[2])}, sender);
+        const bool left = turn(t) > 0;
+        return mutual_flux(
+            {frame.relative_at(t[0]), frame.relative_at(t[left ? 1 : 2]), frame.relative_at(t[left ? 2 : 1])}, sender);
     };
-    const PairParts parts = parts_of(context, pair);
-    std::vector<const CornerLoop*> occluders;
-    for (const CornerLoop& occluder : parts.occluders) occluders.push_back(&occluder);
-    integrand.structure = [&parts, occluders](const Triangle2D& t) { return structure_of(parts, occluders, t); };
 
-    // Where its shape changes.
-    std::vector<PieceId> sheets_and_light = light.on_top;
-    sheets_and_light.push_back(pair.light);
-    Outline light_outline = outline_of(context.scene, sheets_and_light, frame);
-    const std::vector<ShadowLine> lines = shadow_lines(light_outline, outlines(context.scene, pair.occluders, frame));
-    std::vector<std::vector<Point2D>> regions;
+    std::vector<Triangle2D> triangles;
     for (const ConvexPolygon& part : pair.receiving) {
-        regions.emplace_back();
+        std::vector<Point2D> corners;
         for (const RationalPoint& corner : part) {
             const Vector3<double> local = frame.local(corner);
-            regions.back().push_back({local.x, local.y});
+            corners.push_back({local.x, local.y});
         }
+        for (std::size_t k = 2; k < corners.size(); ++k) triangles.push_back({corners[0], corners[k - 1], corners[k]});
     }
-    return integrate_visible(regions, lines, integrand, options);
+    std::vector<const CornerLoop*> occluders;
+    for (const CornerLoop& occluder : parts.occluders) occluders.push_back(&occluder);
+    return integrate_visible(triangles, occluders, integrand, options);
 }
 
 QuadratureResult certified_flux(const PairContext& context, const PiecePair& pair, const QuadratureOptions& options) {

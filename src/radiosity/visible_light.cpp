@@ -112,20 +112,6 @@ BoundedNumber sum_in_binary64(const PlanesThroughPoint& planes, const ReceiverNo
     return sum;
 }
 
-/// Names the planes along which the cones together end: where two of them meet, the angles of their sides cancel.
-std::uint64_t outline_of(const PlanesThroughPoint& planes, const std::vector<Cone>& cones) {
-    std::vector<double> angles(planes.size(), 0.0);
-    for (const Cone& cone : cones)
-        for (std::size_t k = 0, n = cone.rays.size(); k < n; ++k) {
-            const double theta = angle(cone.rays[(k + n - 1) % n].direction.value, cone.rays[k].direction.value);
-            angles[static_cast<std::size_t>(cone.planes[k].index)] += cone.planes[k].flipped ? -theta : theta;
-        }
-    std::uint64_t outline = 0;  // a sum, so that the order in which planes were made does not matter
-    for (std::size_t k = 0; k < angles.size(); ++k)
-        if (std::abs(angles[k]) > 1e-10) outline += planes.key({static_cast<std::int32_t>(k), false});
-    return outline;
-}
-
 /// To a largest component between 1/2 and 2, with all digits of T.
 template <class T>
 Vector3<T> scaled(const RationalPoint& v) {
@@ -214,10 +200,7 @@ LightView view_light(const Viewpoint& viewpoint, const ReceiverNormal& normal, c
     if (visible.empty()) view.visible = 0;
     view.unobstructed = std::clamp(view.unobstructed, 0.0, 1.0);
     view.visible = std::clamp(view.visible, 0.0, view.unobstructed);
-    if (precision == Precision::binary64) {
-        view.outline = outline_of(planes, visible);
-        return view;
-    }
+    if (precision == Precision::binary64) return view;
     for (const Cone& cone : visible) view.solid_angle += solid_angle(in_binary64(planes, cone));
     return view;
 }

@@ -33,9 +33,6 @@ struct LightView {
     double visible = 0;       ///< Form factor of the visible part.
     double solid_angle = 0;   ///< Of the visible part, in steradians. Only in Precision::certain.
     int parts = 0;            ///< Convex parts that the visible region was cut into.
-    /// Names the planes that bound the visible region; where it does not change from point to point, the region
-    /// changes smoothly. Only in Precision::binary64.
-    std::uint64_t outline = 0;
 };
 
 /// Looks at the light from the viewpoint. Counts only what is in front of the receiver and what the viewpoint is
