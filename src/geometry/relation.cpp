@@ -39,6 +39,15 @@ FilterKernel make_filter(const Box::Prepared& box, const FramePiece<double>& pie
     return {largest_coordinate(box, piece), box.error, std::max(1, piece.count - 2), box.base_exact};
 }
 
+/// Certainly: what has these extents does not hide all of the base rectangle.
+bool leaves_some_free(const FilterKernel& filter, const Box::Prepared& box, const FramePiece<double>& extents) {
+    for (int k = 0; k < 2; ++k)
+        if (filter.face(extents.low[k] - box.frame.low[k], k) == UncertainSign::positive ||
+            filter.face(box.frame.high[k] - extents.high[k], k) == UncertainSign::positive)
+            return true;
+    return false;
+}
+
 /// One piece against one box: the stages share what they have found.
 class PieceQuery {
 public:
@@ -106,7 +115,10 @@ public:
         }
         if (in_range_) {
             const FramePiece<double> piece = frame_piece();
-            answer = meets_all_box_edges(make_filter(box_, piece), box_.frame, piece);
+            const FilterKernel filter = make_filter(box_, piece);
+            // Before its direction is asked for, which the filter cannot tell where it stands upright.
+            answer = leaves_some_free(filter, box_, piece) ? UncertainBool::no
+                                                           : meets_all_box_edges(filter, box_.frame, piece);
             if (answer != UncertainBool::undecided) {
                 ++counters.filtered;
                 return answer == UncertainBool::yes;
@@ -202,13 +214,10 @@ private:
 bool many_cover(const Scene& scene, PolygonId polygon, const Box::Prepared& box, PredicateCounters& counters) {
     if (FilterCorners corners; to_frame(scene, scene.loop(polygon), box, corners)) {
         const FramePiece<double> extents(corners.data(), static_cast<int>(corners.size()));
-        const FilterKernel kernel = make_filter(box, extents);
-        for (int k = 0; k < 2; ++k)
-            if (kernel.face(extents.low[k] - box.frame.low[k], k) == UncertainSign::positive ||
-                kernel.face(box.frame.high[k] - extents.high[k], k) == UncertainSign::positive) {
-                ++counters.filtered;
-                return false;
-            }
+        if (leaves_some_free(make_filter(box, extents), box, extents)) {
+            ++counters.filtered;
+            return false;
+        }
     }
     ++counters.rational;
     std::vector<FrameCorners<Rational>> pieces;
