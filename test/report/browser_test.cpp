@@ -77,7 +77,7 @@ ClaimResult made_up_claim() {
     return claim;
 }
 
-// Issue: one self-contained page with the pictures and tables, checked in a headless browser.
+// One self-contained page with the pictures and tables, checked in a headless browser.
 TEST_F(Browser, ShowsEveryClaimWithItsPlot) {
     test::TemporaryFolder folder;
     report::write_claims({made_up_claim()}, {bench_machine(), 1, false}, folder.path());

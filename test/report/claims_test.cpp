@@ -29,7 +29,7 @@ const ClaimCase& of_scene(const ClaimResult& result, const std::string& scene) {
     return *found;
 }
 
-// Issue: twenty claims, from detail shadows to occluded elements.
+// Twenty claims, from detail shadows to occluded elements.
 TEST(Claims, TheRegistryNamesEachOnce) {
     const std::vector<std::string> ids = claim_ids();
     EXPECT_EQ(ids.size(), 20u);

@@ -41,7 +41,7 @@ TEST(Study, PointsLieOnWhatReceivesAndSomeInThePenumbra) {
     EXPECT_DOUBLE_EQ(reference.receiver_share, 68.0 / 72);
 }
 
-// Issue: the buffer reaches a fine uniform mesh's error with far fewer elements; a finer mesh errs less.
+// The buffer reaches a fine uniform mesh's error with far fewer elements; a finer mesh errs less.
 TEST(Study, FinerMeshesErrLessAndTheBufferNeedsFewerElements) {
     const Scene scene = shaded_floor();
     const StudyReference reference = study_reference(scene, 400, {});
@@ -90,7 +90,7 @@ TEST(Study, PointsStayInTheRegion) {
     }
 }
 
-// Issue: interruptible, in a run, too.
+// Interruptible, in a run, too.
 TEST(Study, ARunEndsWhereItIsTold) {
     const Scene scene = shaded_floor();
     const StudyReference reference = study_reference(scene, 20, {});
@@ -151,7 +151,7 @@ TEST(StudyTransport, AgreesWithProgressiveRefinement) {
     EXPECT_LT(finer.all.l2, 0.1);  // the sheet's shadow
 }
 
-// Issue: 10 times fewer elements and 5 times less time; where not, the report says why.
+// 10 times fewer elements and 5 times less time; where not, the report says why.
 TEST(Study, TheBarIsMetOrExplained) {
     StudyReference reference;
     reference.points.resize(10);
