@@ -7,6 +7,7 @@
 #include "cob/progress.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace cob {
@@ -21,9 +22,10 @@ struct AnswerOptions {
     Arithmetic arithmetic = Arithmetic::exact;
     Peer peer = Peer::none;  ///< Who answers instead, one table of questions only.
     Source source = Source::cgal;
-    int threads = 0;            ///< 0: one for each processor.
-    bool skip_invalid = false;  ///< Refused polygons keep their numbers and occur in no answer.
-    Progress progress;          ///< Counts questions; how many there are is not known.
+    int threads = 0;                              ///< 0: one for each processor.
+    bool skip_invalid = false;                    ///< Refused polygons keep their numbers and occur in no answer.
+    Progress progress;                            ///< Counts questions; how many there are is not known.
+    std::function<void(const std::string&)> say;  ///< Told warnings about the scene and what is skipped, a line each.
 };
 
 struct AnswerSummary {

@@ -39,9 +39,10 @@ struct GoldenOptions {
     std::uint64_t shard_size = 50000;  ///< Questions held in memory at once.
     /// Make only the shards k with k mod shards = shard mod shards.
     std::uint64_t shard = 0, shards = 1;
-    std::vector<std::string> merge;  ///< Folders whose finished shards are taken over.
-    int threads = 0;                 ///< 0: all.
-    Progress progress;               ///< Counts shards.
+    std::vector<std::string> merge;               ///< Folders whose finished shards are taken over.
+    int threads = 0;                              ///< 0: all.
+    Progress progress;                            ///< Counts shards.
+    std::function<void(const std::string&)> say;  ///< Told warnings about the scene and what is skipped, a line each.
 };
 
 /// How snapping to a grid changed the scene.

@@ -54,6 +54,7 @@ struct AnswerCommand {
             options.arithmetic = arithmetics().at(arithmetic);
         options.source = source();
         options.progress = terminal_progress("answering");
+        options.say = remark_on_terminal;
         const AnswerSummary summary = answer_set(set, folder, options);
         const auto whole = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
         if (summary.has_boxes)

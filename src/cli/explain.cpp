@@ -49,6 +49,8 @@ struct ExplainCommand {
         what.number = parse_number(element);
         if (what.number) {
             const ElementList elements(read_scene, roots, cut);
+            if (elements.size() == 0)
+                throw InputError("the scene has no elements", {scene.path, 0, "", "give one with valid polygons"});
             if (*what.number >= elements.size())
                 throw InputError(
                     "no such box",

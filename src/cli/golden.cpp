@@ -46,6 +46,7 @@ void run(Arguments& arguments) {
     std::istringstream words(arguments.kinds);
     for (std::string kind; std::getline(words, kind, ',');) arguments.parameters.kinds.push_back(kind);
     arguments.options.progress = terminal_progress("golden");
+    arguments.options.say = remark_on_terminal;
 
     const GoldenResult result = make_golden(arguments.scene, arguments.folder, arguments.parameters, arguments.options);
     if (result.snapped) print(*result.snapped, arguments.parameters);

@@ -5,9 +5,11 @@
 
 #include "cob/error.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -19,6 +21,16 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
         names += (names.empty() ? "" : ", ") + command->get_name();
     }
     if (word.front() != '-') throw cob::InputError("unknown command", {"", 0, word, "choose one of " + names});
+}
+
+/// The arguments, last first, as CLI11 takes them; "-.5" is a number and no option.
+std::vector<std::string> words_of(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    for (std::string& word : words)
+        if (word.size() > 2 && word[0] == '-' && word[1] == '.' && word[2] >= '0' && word[2] <= '9')
+            word.insert(1, "0");
+    std::reverse(words.begin(), words.end());
+    return words;
 }
 
 }  // namespace
@@ -42,7 +54,7 @@ int main(int argc, char** argv) {
     cob::cli::add_verify(app);
     try {
         if (argc > 1 && *argv[1] != '\0') refuse_unknown_command(app, argv[1]);
-        app.parse(argc, argv);
+        app.parse(words_of(argc, argv));
         return 0;
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);

@@ -1,8 +1,10 @@
 #include "cli/options.hpp"
 
+#include "cli/terminal.hpp"
 #include "cob/error.hpp"
+#include "scene/remarks.hpp"
 
-#include <cstdio>
+#include <filesystem>
 
 namespace cob::cli {
 
@@ -36,16 +38,17 @@ Scene SceneOptions::read() const {
     options.emission_is_radiance = emission == "radiance";
     ReadReport report;
     Scene scene = read_obj(path, options, &report);
-    for (const std::string& warning : report.warnings) std::fprintf(stderr, "cob: warning: %s\n", warning.c_str());
-    for (const InvalidPolygon& invalid : scene.invalid())
-        std::fprintf(stderr, "cob: skipped polygon %d (%s:%u): %s\n", invalid.polygon, path.c_str(), invalid.line,
-                     invalid.reason.c_str());
+    for (const std::string& remark : remarks_on(scene, report, path)) remark_on_terminal(remark);
     return scene;
 }
 
 TablePath::TablePath(const std::string& out, const std::string& name) : path_(out) {
     const std::string ending = ".csv";
-    if (out.size() > ending.size() && out.compare(out.size() - ending.size(), ending.size(), ending) == 0) return;
+    if (out.size() > ending.size() && out.compare(out.size() - ending.size(), ending.size(), ending) == 0) {
+        const std::string parent = std::filesystem::path(out).parent_path().string();
+        if (!parent.empty()) folder_.emplace(parent);
+        return;
+    }
     folder_.emplace(out);
     path_ = out + "/" + name;
 }

@@ -92,8 +92,8 @@ struct KeepOptions {
     OmissionSet set() const;
 };
 
-/// Where one table goes: the path itself where it ends in .csv, else the table of that name in the folder, which is
-/// created and, should no table come, removed.
+/// Where one table goes: the path itself where it ends in .csv, else the table of that name in the folder. The folder
+/// is created and, should no table come, removed.
 class TablePath {
 public:
     TablePath(const std::string& out, const std::string& name);

@@ -62,6 +62,10 @@ bool interrupted() {
     return interrupt_flag != 0;
 }
 
+void remark_on_terminal(const std::string& line) {
+    std::fprintf(stderr, "cob: %s\n", line.c_str());
+}
+
 Progress terminal_progress(std::string title) {
     catch_interrupts();
     return [line = std::make_shared<ProgressLine>(std::move(title))](std::uint64_t done, std::uint64_t total) {

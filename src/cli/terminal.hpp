@@ -21,6 +21,9 @@ void catch_interrupts();
 /// Ctrl-C was pressed since catch_interrupts().
 bool interrupted();
 
+/// A line for the reader of standard error, behind the program's name.
+void remark_on_terminal(const std::string& line);
+
 /// Shows "title 42 %" (or the count, where the total is not known) on standard error where that is a terminal, a few
 /// times a second, and throws Interrupted after Ctrl-C. Calls catch_interrupts().
 Progress terminal_progress(std::string title);

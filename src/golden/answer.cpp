@@ -3,6 +3,7 @@
 #include "cob/files.hpp"
 #include "cob/irradiance_table.hpp"
 #include "cob/manifest.hpp"
+#include "scene/remarks.hpp"
 
 namespace cob {
 
@@ -30,7 +31,11 @@ bool made_with_invalid(const std::string& set) {
 AnswerSummary answer_set(const std::string& set, const std::string& folder, const AnswerOptions& options) {
     ReadOptions read;
     read.skip_invalid = options.skip_invalid || made_with_invalid(set);
-    const Scene scene = read_obj(set + "/scene.obj", read);
+    const std::string path = set + "/scene.obj";
+    ReadReport report;
+    const Scene scene = read_obj(path, read, &report);
+    if (options.say)
+        for (const std::string& remark : remarks_on(scene, report, path)) options.say(remark);
 
     AnswerSummary summary;
     const auto has = [&](const char* table) { return exists(set + "/" + table); };

@@ -12,6 +12,7 @@
 #include "golden/scene_writer.hpp"
 #include "golden/shards.hpp"
 #include "golden/snap.hpp"
+#include "scene/remarks.hpp"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -137,7 +138,11 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
 
     // The scene, as the set will hold it.
-    const SnappedScene snapped = snap(read_obj(scene_path, {parameters.skip_invalid, false}), parameters);
+    ReadReport report;
+    Scene as_read = read_obj(scene_path, {parameters.skip_invalid, false}, &report);
+    if (options.say)
+        for (const std::string& remark : remarks_on(as_read, report, scene_path)) options.say(remark);
+    const SnappedScene snapped = snap(std::move(as_read), parameters);
     const Scene& scene = snapped.scene;
     const SceneText text = write_scene(scene);
     const auto candidates = make_candidates(scene, Source::cgal);

@@ -9,11 +9,11 @@
 namespace cob::radiosity {
 namespace {
 
-/// Twice the area seen along an axis, exactly.
+/// Twice the area seen along an axis, exactly: of the points that the loop winds around, once each and either way.
 Rational doubled_area(const Scene& scene, PolygonId polygon, int axis) {
-    std::vector<RationalPoint> loop;
-    for (const VertexId v : scene.loop(polygon)) loop.push_back(to_rational(scene.position(v)));
-    return abs(area_vector(loop)[axis]);
+    Rational sum = 0;
+    for (const Piece& piece : scene.pieces_of(polygon)) sum += abs(area_vector(polygon_of(scene, piece))[axis]);
+    return sum;
 }
 
 bool lies_in(const Scene& scene, PolygonId polygon, const std::array<Point, 3>& plane) {

@@ -89,6 +89,8 @@ std::optional<std::string> view_beside(const std::string& scene_path) {
 }
 
 Camera default_camera(const Scene& scene) {
+    if (scene.pieces().empty())
+        throw InputError("the scene has no valid polygon", {scene.name(), 0, "", "give one that has something to see"});
     const Bounds bounds = bounds_of(scene);
     const Point low{bounds.low[0], bounds.low[1], bounds.low[2]}, high{bounds.high[0], bounds.high[1], bounds.high[2]};
     const Point middle = 0.5 * (low + high), extent = high - low;

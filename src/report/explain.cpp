@@ -79,8 +79,9 @@ private:
         const Polygon& polygon = scene_.polygon(root_.polygon);
         line("Element " + to_address(roots_, what_.element) +
              (what_.number ? ", box " + std::to_string(*what_.number) : ""));
+        const std::string& material = scene_.material(root_.polygon).name;
         line("  on polygon " + std::to_string(root_.polygon) + " (line " + std::to_string(polygon.line) +
-             ", material " + scene_.material(root_.polygon).name + "), piece " +
+             (material.empty() ? "" : ", material " + material) + "), piece " +
              std::to_string(root_.piece - static_cast<PieceId>(polygon.first_piece)) + " of " +
              std::to_string(polygon.piece_count) + (polygon.planar ? "" : ", which is not planar") +
              (polygon.convex ? "" : "; the polygon is not convex"));

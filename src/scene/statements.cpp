@@ -51,7 +51,8 @@ bool StatementReader::next(Statement& statement) {
 
 std::string_view StatementReader::logical_line() {
     std::string_view line = physical_line();
-    if (line.empty() || line.back() != '\\') return line;
+    // A comment ends with its line, be it a path of Windows'.
+    if (line.empty() || line.back() != '\\' || trimmed(line).substr(0, 1) == "#") return line;
     joined_.clear();
     while (!line.empty() && line.back() == '\\') {
         joined_.append(line.substr(0, line.size() - 1));

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace cob {
 namespace {
 
@@ -95,6 +97,40 @@ TEST(Commands, SkippedPolygonsAreListed) {
         EXPECT_EQ(run.code, 0) << arguments << ": " << run.error;
         EXPECT_EQ(run.error.compare(0, expected.size(), expected), 0) << arguments << ": " << run.error;
     }
+}
+
+// A number may begin with its point, behind a minus, too.
+TEST(Commands, NegativeNumbersAreNoOptions) {
+    const auto occlude = [](const std::string& x) {
+        return run_program("occlude " + figure2 + " " + x + " 1 1 1 1 -2");
+    };
+    const auto with_zero = occlude("-0.5"), without = occlude("-.5");
+    EXPECT_EQ(with_zero.code, 0) << with_zero.error;
+    EXPECT_EQ(without.code, 0) << without.error;
+    EXPECT_EQ(without.out, with_zero.out);
+}
+
+// "A missing one is a warning, everything grey": from every command that reads a scene.
+TEST(Commands, WarningsAreTold) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "scene.obj", "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n");
+    write_file(folder / "segments.csv", "segment,x0,y0,z0,x1,y1,z1,from,to\n0,0,0,1,0,0,2,-1,-1\n");
+    const std::string path = folder / "scene.obj";
+    for (const std::string& command :
+         {"classify " + path, "golden " + path, "answer " + folder.path(), "occlude " + path + " 0 0 1 0 0 2"}) {
+        const std::string output = command[0] == 'o' ? "" : " -o " + folder / "out" + command[0];
+        const auto run = run_program(command + " --skip-invalid" + output);
+        EXPECT_EQ(run.code, 0) << command << run.error;
+        EXPECT_NE(run.error.find("warning: "), std::string::npos) << command;
+        EXPECT_NE(run.error.find("skipped polygon 1 "), std::string::npos) << command;
+    }
+}
+
+// "`-o` folders are created": of a table, too.
+TEST(Commands, FoldersOfTablesAreCreated) {
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(run_program("formfactors " + figure2 + " -o " + folder / "new/F.csv").code, 0);
+    EXPECT_EQ(test::files_in(folder / "new"), std::set<std::string>{"F.csv"});
 }
 
 }  // namespace

@@ -94,6 +94,13 @@ TEST_F(ObjFile, SkipsAndCountsWhatItDoesNotKnow) {
     EXPECT_TRUE(report_.warnings.empty());
 }
 
+// A comment ends with its line.
+TEST_F(ObjFile, CommentsAreNotContinued) {
+    const Scene scene = read("# from C:\\models\\\n" + square + "f 1 2 3\n");
+    EXPECT_EQ(scene.positions().size(), 4u);
+    EXPECT_EQ(scene.polygon_count(), 1);
+}
+
 TEST_F(ObjFile, ManyUnknownStatementsStayFew) {
     std::string text;
     for (int k = 0; k < 5000; ++k) text += "word" + std::to_string(k) + " 1\n";

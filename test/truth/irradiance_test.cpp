@@ -176,6 +176,28 @@ TEST(Irradiance, SheetsInTheLightsPlaneHideIt) {
 }
 
 // Powers of two change no form factor; "for any finite input: 1e-300, 1e300 and subnormals included".
+// "The closed set of the points that its loop winds around" (SPEC 2): twice around sends no more than once.
+TEST(Irradiance, LightsThatWindTwiceSendOnce) {
+    const std::vector<Point> once{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
+    std::vector<Point> twice = once;
+    twice.insert(twice.end(), once.begin(), once.end());
+    const Point point{0.5, 0.5, 0};
+    EXPECT_NEAR(look(RoomBuilder().polygon(twice).build(), point).visible,
+                look(RoomBuilder().polygon(once).build(), point).visible, 1e-14);
+}
+
+// "The smaller in area lies on top" (choice 9), the area that of the set, whichever way parts of the loop turn.
+TEST(Irradiance, AreasOfSheetsAreThoseOfTheirSets) {
+    // Squares of area 4 and 1 that the loop runs around opposite ways, and a square of 4 in the first.
+    const RoomBuilder room =
+        RoomBuilder()
+            .polygon({{0, 0, 1}, {0, 2, 1}, {2, 2, 1}, {3, 2, 1}, {3, 3, 1}, {2, 3, 1}, {2, 2, 1}, {2, 0, 1}})
+            .polygon({{0, 0, 1}, {0, 2, 1}, {2, 2, 1}, {2, 0, 1}});
+    const Scene scene = room.build();
+    EXPECT_NEAR(look(scene, {1, 1, 0}, up, 1).visible, over(0, 0, 2, 2, 1, 1, 1), 1e-14);
+    EXPECT_LT(look(scene, {1, 1, 0}, up, 0).visible, 0.02);
+}
+
 TEST(Irradiance, ScaleDoesNotMatter) {
     const auto scene = [](double s) {
         return RoomBuilder()
