@@ -245,7 +245,8 @@ TEST_F(FormFactorsCommand, RefusesWithoutLeavingFiles) {
     EXPECT_EQ(lines_of(run.error), 1u) << run.error;
     EXPECT_NE(run.error.find("no such polygon '7'"), std::string::npos) << run.error;
     // A folder that cannot be is told before the work is done, not after it.
-    const auto nowhere = test::run_program("formfactors " + folder_ / "between.obj -o " + folder_ / "none/f.csv");
+    const auto nowhere =
+        test::run_program("formfactors " + folder_ / "between.obj -o " + folder_ / "between.obj/f.csv");
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_EQ(nowhere.error.find("form factors"), std::string::npos) << nowhere.error;
 }
