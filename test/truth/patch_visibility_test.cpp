@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace cob {
 namespace {
@@ -106,6 +107,46 @@ TEST(PatchVisibility, WitnessesAreWhatTheySay) {
     ASSERT_TRUE(answer.clear && answer.blocked);
     EXPECT_EQ(oracle(*answer.clear), Visibility::clear);
     EXPECT_EQ(oracle(*answer.blocked), Visibility::blocked);
+}
+
+// Random triangles between two squares: witnesses are rechecked as exact segments, and the share of 100,000 exact
+// segments between random points lies within the certified bounds, give or take five standard deviations.
+TEST(PatchVisibility, RandomScenesHoldBoundsAndWitnesses) {
+    std::mt19937_64 random(5);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+    };
+    int partial = 0, narrow = 0;
+    for (int k = 0; k < 20; ++k) {
+        RoomBuilder room = two_squares();
+        for (int count = 1 + k % 4; count > 0; --count) {
+            const auto corner = [&] { return Point{number(-0.5, 1.5), number(-0.5, 1.5), number(-0.1, 1.1)}; };
+            room.polygon({corner(), corner(), corner()});
+        }
+        const Scene scene = room.build();
+        const EveryPolygon everything(scene);
+        const VisibilityOracle oracle(scene, everything);
+        const PatchAnswer answer = PatchVisibility(scene, everything)(patch_of(scene, scene.piece(0)),
+                                                                      patch_of(scene, scene.piece(1)), {0.05, 0, 1500});
+        EXPECT_TRUE(!answer.clear || oracle(*answer.clear) == Visibility::clear) << k;
+        EXPECT_TRUE(!answer.blocked || oracle(*answer.blocked) == Visibility::blocked) << k;
+        if (answer.relation == PatchRelation::partial) {
+            EXPECT_TRUE(answer.clear && answer.blocked) << k;
+            ++partial;
+        }
+        narrow += answer.upper - answer.lower < 0.5;
+        constexpr int samples = 20000;  // of each scene
+        int seen = 0;
+        for (int sample = 0; sample < samples; ++sample) {
+            const Point from{number(0, 1), number(0, 1), 0}, to{number(0, 1), number(0, 1), 1};
+            seen += oracle(Segment{from, to}) != Visibility::blocked;
+        }
+        const double share = static_cast<double>(seen) / samples, deviation = 2.5 / std::sqrt(double{samples});
+        EXPECT_LE(answer.lower - deviation, share) << k;
+        EXPECT_GE(answer.upper + deviation, share) << k;
+    }
+    EXPECT_GT(partial, 10);
+    EXPECT_GT(narrow, 5);
 }
 
 // "Point lights are the one-point case": the half plate's shadow has its edge where the line of sight puts it.
