@@ -6,6 +6,7 @@
 #include "cli/terminal.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
+#include "golden/scene_writer.hpp"
 #include "golden/sha256.hpp"
 #include "report/claims_report.hpp"
 #include "report/study_report.hpp"
@@ -34,10 +35,12 @@ struct StudyCommand {
         claims ? run_claims() : run_study();
     }
 
-    /// Runs are kept by what they depend on: another scene, reference or commit are other runs.
-    std::string kept(const BenchMachine& machine) const {
+    /// Runs are kept by what they depend on: another scene, materials and all, reference or commit are other runs.
+    std::string kept(const Scene& read_scene, const BenchMachine& machine) const {
+        const SceneText text = write_scene(read_scene);
         Sha256 hash;
-        hash.update(read_file(scene.path));
+        hash.update(text.obj);
+        hash.update(text.mtl);
         for (const std::string& word : {light, std::to_string(points), std::to_string(unknowns),
                                         std::to_string(repeats), std::to_string(threads), machine.commit})
             hash.update(word + "\n");
@@ -51,7 +54,7 @@ struct StudyCommand {
         results.scene = std::filesystem::path(scene.path).stem().string();
         results.machine = bench_machine();
         results.threads = thread_count(threads);
-        const std::string runs = kept(results.machine);
+        const std::string runs = kept(read_scene, results.machine);
         const OutputFolder created(runs);
 
         const bool full = light == "full";

@@ -85,10 +85,10 @@ TEST(Interrupt, FinishedRunsOfAStudyAreSkippedByTheNext) {
         ::execl("/bin/sh", "sh", "-c", ("exec " COB_PROGRAM " " + arguments).c_str(), static_cast<char*>(nullptr));
         ::_exit(127);
     }
-    for (int tries = 0; tries < 10000 && finished_runs(study).size() < 3; ++tries)
+    int status = 0;
+    while (finished_runs(study).size() < 3 && ::waitpid(child, &status, WNOHANG) == 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ::kill(child, SIGINT);
-    int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 130);
@@ -107,6 +107,26 @@ TEST(Interrupt, FinishedRunsOfAStudyAreSkippedByTheNext) {
     ASSERT_EQ(test::run_program(arguments).code, 0);
     EXPECT_EQ(finished_runs(study), all);
     EXPECT_EQ(read_file(study + "/study.csv"), table);
+}
+
+// Another light is another scene, although the OBJ file is the same.
+TEST(Interrupt, RunsOfAStudyAreNotThoseOfOtherMaterials) {
+    const test::TemporaryFolder folder;
+    for (const char* ending : {".obj", ".mtl"})
+        write_file(folder / ("figure2" + std::string(ending)), read_file(COB_DATA "/figure2" + std::string(ending)));
+    const std::string arguments = "study " + folder / "figure2.obj" +
+                                  " --budgets 1 --points 10 --repeats 1 --picture-shots 0 --threads 1 -o " +
+                                  folder / "study";
+    ASSERT_EQ(test::run_program(arguments).code, 0);
+    const std::size_t runs = finished_runs(folder / "study").size();
+    write_file(folder / "figure2.mtl", read_file(folder / "figure2.mtl") + "newmtl other\nKd .1 .1 .1\n");
+    ASSERT_EQ(test::run_program(arguments).code, 0);
+    EXPECT_EQ(finished_runs(folder / "study").size(), runs);  // a material of no polygon changes nothing
+    std::string materials = read_file(folder / "figure2.mtl");
+    materials.replace(materials.find("Ke"), 2, "Ke 1 2 3\n#");
+    write_file(folder / "figure2.mtl", materials);
+    ASSERT_EQ(test::run_program(arguments).code, 0);
+    EXPECT_EQ(finished_runs(folder / "study").size(), 2 * runs);
 }
 
 /// A process that has ended.
