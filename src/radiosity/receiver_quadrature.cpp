@@ -113,7 +113,7 @@ private:
     Parts sample(const Cell& cell, std::array<PointValue, n * n>& values);
     /// With the distances from a quadratic polynomial as errors.
     Parts sampled(const Cell& cell);
-    /// By a higher rule, with the differences from the lower one, doubled, as errors.
+    /// By a higher rule; errors from the differences.
     template <std::size_t n>
     Parts refined(const Cell& cell, const Parts& lower);
     double missed(const Cell& cell, double change, const Parts& parts) const;
@@ -160,8 +160,12 @@ template <std::size_t n>
 Cubature::Parts Cubature::refined(const Cell& cell, const Parts& lower) {
     std::array<PointValue, n * n> values;
     Parts parts = sample<n>(cell, values);
-    parts.visible.error = 2 * std::abs(parts.visible.value - lower.visible.value);
-    parts.hidden.error = 2 * std::abs(parts.hidden.value - lower.hidden.value);
+    // A share of the lower rule's error stays: two rules may agree by chance.
+    const auto error = [](const Integral& high, const Integral& low) {
+        return std::max(2 * std::abs(high.value - low.value), low.error / 16);
+    };
+    parts.visible.error = error(parts.visible, lower.visible);
+    parts.hidden.error = error(parts.hidden, lower.hidden);
     return parts;
 }
 
