@@ -196,13 +196,4 @@ QuadratureResult certified_flux(const PairContext& context, const PiecePair& pai
     return result;
 }
 
-LightView sample_point(const PairContext& context, const PiecePair& pair) {
-    const ConvexPolygon plane = polygon_of(context.scene, context.scene.piece(pair.receiver));
-    RationalPoint middle;
-    for (const RationalPoint& corner : pair.receiving.front()) middle = middle + corner;
-    middle = Rational(1, static_cast<long>(pair.receiving.front().size())) * middle;
-    return view_light(Viewpoint(context.pieces, ExactPoint(middle).nearest()), ReceiverNormal(area_vector(plane)),
-                      {{pair.light}, {}}, pair.occluders, Precision::binary64);
-}
-
 }  // namespace cob::radiosity

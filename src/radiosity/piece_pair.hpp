@@ -47,7 +47,4 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
 /// Certified bounds of the same integral: its middle and half its width.
 QuadratureResult certified_flux(const PairContext& context, const PiecePair& pair, const QuadratureOptions& options);
 
-/// One exact point value in the middle of the pair, for timing.
-LightView sample_point(const PairContext& context, const PiecePair& pair);
-
 }  // namespace cob::radiosity
