@@ -7,8 +7,9 @@
 
 #include <tbb/parallel_pipeline.h>
 
+#include <cstddef>
 #include <exception>
-#include <memory>
+#include <vector>
 
 namespace cob {
 
@@ -27,24 +28,27 @@ void ordered_pipeline(int threads, const Produce& produce, const Work& work, con
         Block block;
         std::exception_ptr failure;
     };
-    using SlotPointer = std::shared_ptr<Slot>;
+    // Blocks are put down in order, so of those under way no two are `slots.size()` apart.
+    std::vector<Slot> slots(static_cast<std::size_t>(4 * threads));
+    std::size_t taken = 0;
     bool ended = false;
-    const auto take = [&](tbb::flow_control& control) -> SlotPointer {
-        auto slot = std::make_shared<Slot>();
+    const auto take = [&](tbb::flow_control& control) -> Slot* {
+        Slot& slot = slots[taken++ % slots.size()];
+        slot = Slot();
         try {
-            ended = ended || !produce(slot->block);
+            ended = ended || !produce(slot.block);
         } catch (...) {
             // Blocks before it may still fail: the failure waits for its turn.
-            slot->failure = std::current_exception();
+            slot.failure = std::current_exception();
         }
         if (ended) {
             control.stop();
             return nullptr;
         }
-        ended = static_cast<bool>(slot->failure);
-        return slot;
+        ended = static_cast<bool>(slot.failure);
+        return &slot;
     };
-    const auto run = [&](SlotPointer slot) -> SlotPointer {
+    const auto run = [&](Slot* slot) {
         try {
             if (!slot->failure) work(slot->block);
         } catch (...) {
@@ -52,16 +56,15 @@ void ordered_pipeline(int threads, const Produce& produce, const Work& work, con
         }
         return slot;
     };
-    const auto put = [&](SlotPointer slot) {
+    const auto put = [&](Slot* slot) {
         if (slot->failure) std::rethrow_exception(slot->failure);
         consume(slot->block);
     };
     tbb::task_arena arena(threads);
     arena.execute([&] {
-        tbb::parallel_pipeline(static_cast<std::size_t>(4 * threads),
-                               tbb::make_filter<void, SlotPointer>(tbb::filter_mode::serial_in_order, take) &
-                                   tbb::make_filter<SlotPointer, SlotPointer>(tbb::filter_mode::parallel, run) &
-                                   tbb::make_filter<SlotPointer, void>(tbb::filter_mode::serial_in_order, put));
+        tbb::parallel_pipeline(slots.size(), tbb::make_filter<void, Slot*>(tbb::filter_mode::serial_in_order, take) &
+                                                 tbb::make_filter<Slot*, Slot*>(tbb::filter_mode::parallel, run) &
+                                                 tbb::make_filter<Slot*, void>(tbb::filter_mode::serial_in_order, put));
     });
 }
 
