@@ -36,7 +36,7 @@ Integral adaptive(const F& f, double begin, double end, int depth) {
     for (std::size_t k = 0; k < 8; ++k) b += coarse.weight[k] * f(begin + coarse.node[k] * (end - begin));
     a *= end - begin, b *= end - begin, size *= end - begin;
     const double difference = std::abs(a - b);
-    if (difference <= std::max(2e-16, 2e-15 * size) || depth == 0) return {a, difference};
+    if (!(difference > std::max(2e-16, 2e-15 * size)) || depth == 0) return {a, difference};  // also with NaN
     const double middle = (begin + end) / 2;
     const Integral left = adaptive(f, begin, middle, depth - 1), right = adaptive(f, middle, end, depth - 1);
     return {left.value + right.value, left.error + right.error};

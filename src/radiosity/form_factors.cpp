@@ -85,6 +85,11 @@ struct FormFactorMatrix::Implementation {
     }
 
     PolygonPair prepare(PolygonId i, PolygonId j) const {
+        for (const PolygonId k : {i, j})
+            if (polygons[static_cast<std::size_t>(k)].area < 1e-280)  // near what binary64 holds
+                throw InputError("polygon is too small beside the scene",
+                                 {scene.name(), scene.polygon(k).line, std::to_string(k),
+                                  "ask in a scene without what is so much larger"});
         PolygonPair pair;
         const bool keep = polygons[i].area < polygons[j].area || (polygons[i].area == polygons[j].area && i <= j);
         pair.smaller = keep ? i : j, pair.larger = keep ? j : i;

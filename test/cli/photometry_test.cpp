@@ -251,5 +251,18 @@ TEST_F(FormFactorsCommand, RefusesWithoutLeavingFiles) {
     EXPECT_EQ(nowhere.error.find("form factors"), std::string::npos) << nowhere.error;
 }
 
+// What binary64 cannot hold is said, and in finite time.
+TEST_F(FormFactorsCommand, PolygonsTooSmallBesideTheScene) {
+    const std::string squares = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 0 1 2\nv 1 1 2\nv 1 0 2\n";
+    for (const std::string size : {"1e20", "1e160", "1e300"}) {
+        write_file(folder_ / "large.obj", squares + "v " + size + " 0 -1\nv -" + size + " 0 -1\nv 0 " + size +
+                                              " -1\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11\n");
+        const auto run =
+            test::run_program("formfactors " + folder_ / "large.obj" + " --pairs 0,1 -o " + folder_ / "large.csv");
+        EXPECT_EQ(run.code, size == "1e20" ? 0 : 2) << run.error;
+        EXPECT_EQ(run.error.find("too small") != std::string::npos, size != "1e20") << run.error;
+    }
+}
+
 }  // namespace
 }  // namespace cob
