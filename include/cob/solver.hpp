@@ -108,9 +108,10 @@ struct RadiosityTimes {
 
 /// The two books: nothing is ever renormalised.
 struct EnergyBooks {
-    // Bookkeeping: both sums say how much flux has been made so far, in W; they differ by rounding only.
+    // Bookkeeping: both sums say how much flux has been made so far, in 2^exponent W; they differ by rounding only.
     Rgb by_elements{};  ///< Sum of A_i M_i over elements.
     Rgb by_patches{};   ///< Sum over patches of the flux shot and unshot.
+    int exponent = 0;   ///< Binary: W itself may leave binary64 where lengths do not.
     /// Largest relative difference of the two over channels.
     double difference() const;
     // Closure of the form factors: flux given over flux taken, per shot; 1 in a closed scene that is sampled

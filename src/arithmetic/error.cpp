@@ -1,13 +1,13 @@
 #include "cob/error.hpp"
 
+#include "arithmetic/text.hpp"
+
 namespace cob {
 namespace {
 
 std::string shortened(const std::string& value) {
     constexpr std::size_t longest = 60;
-    std::string text;
-    for (const char c : value.substr(0, longest)) text += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    return value.size() > longest ? text + "..." : text;
+    return value.size() > longest ? value.substr(0, longest) + "..." : value;
 }
 
 std::string message(const std::string& problem, const InputError::Where& where) {
@@ -18,7 +18,7 @@ std::string message(const std::string& problem, const InputError::Where& where) 
     text += problem;
     if (!where.value.empty()) text += " '" + shortened(where.value) + "'";
     if (!where.remedy.empty()) text += ": " + where.remedy;
-    return text;
+    return one_line(std::move(text));
 }
 
 }  // namespace

@@ -24,7 +24,24 @@ bool is_integer(std::string_view text) {
     return true;
 }
 
+std::string printed_with(int digits, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+/// Binary64 holds it with all its digits, or it is zero.
+bool is_normal(double nearest, const Rational& value) {
+    return std::isnormal(nearest) || value == 0;
+}
+
 }  // namespace
+
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+    return text;
+}
 
 Integer decimal_integer(std::string_view text) {
     const bool negative = text.front() == '-';
@@ -83,6 +100,24 @@ std::string to_text(const Rational& value) {
     const auto number = to_binary64(value);
     if (number) return to_text(*number);
     return denominator(value) == 1 ? value.str() + "/1" : value.str();
+}
+
+std::string rounded_text(const Rational& value, int digits) {
+    const double nearest = to_nearest(value);
+    if (is_normal(nearest, value)) return printed_with(digits, nearest);
+    return boost::multiprecision::mpf_float_50(value).str(digits);
+}
+
+std::string rounded_root_text(const Rational& squared, int digits) {
+    const double nearest = to_nearest(squared);
+    if (is_normal(nearest, squared)) return printed_with(digits, std::sqrt(nearest));
+    return boost::multiprecision::mpf_float_50(sqrt(boost::multiprecision::mpf_float_50(squared))).str(digits);
+}
+
+std::string scaled_text(double value, int exponent) {
+    const double scaled = std::scalbn(value, exponent);
+    if (std::isnormal(scaled) || value == 0) return to_text(scaled);
+    return boost::multiprecision::mpf_float_50(ldexp(boost::multiprecision::mpf_float_50(value), exponent)).str(17);
 }
 
 std::string to_hex_text(double value) {

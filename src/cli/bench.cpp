@@ -1,6 +1,7 @@
 #include "cob/bench.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/terminal.hpp"
 #include "cob/files.hpp"
 #include "report/bench_report.hpp"
@@ -68,7 +69,7 @@ void add_bench(CLI::App& app) {
     command->add_option("--repetitions", arguments->options.repetitions, "Runs over the questions of each kind")
         ->check(CLI::Range(1, 1000000));
     command->add_option("--most", arguments->options.most_of_kind, "Questions of each kind: the first so many")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_whole_number());
     command->callback([arguments] { run(*arguments); });
 }
 

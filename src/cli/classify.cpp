@@ -1,6 +1,7 @@
 // cob classify: the state of every element's buffer.
 #include "arithmetic/process.hpp"
 #include "cli/commands.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "cob/files.hpp"
@@ -52,7 +53,7 @@ struct ClassifyCommand {
         command
             .add_option("--truth-pairs", truth_pairs,
                         "Most pairs of element and light for --truth; of more, elements at equal distances are taken")
-            ->check(CLI::PositiveNumber);
+            ->check(positive_whole_number());
         add_output_folder(command, folder);
     }
 

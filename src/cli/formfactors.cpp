@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/number_checks.hpp"
 #include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "cob/error.hpp"
@@ -89,13 +90,13 @@ void add_formfactors(CLI::App& app) {
     command
         ->add_option("--evaluations", arguments->options.max_evaluations,
                      "At most so many exact point values for a pair of pieces, from each side")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_whole_number());
     command->add_flag("--certified", arguments->options.certified,
                       "Guaranteed bounds: the true value is within error of form_factor");
     command
         ->add_option("--subdivisions", arguments->options.max_subdivisions,
                      "At most so many triangles for a pair of pieces, from each side (--certified)")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_whole_number());
     command->add_flag("--both-sides", arguments->options.both_sides,
                       "Compute F_ij and F_ji on their own and report how well A_i F_ij = A_j F_ji holds");
     add_threads(*command, arguments->options.threads);

@@ -23,6 +23,15 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
     if (word.front() != '-') throw cob::InputError("unknown command", {"", 0, word, "choose one of " + names});
 }
 
+/// What CLI11 refuses, in the form of all bad input: one line with a remedy.
+std::string refusal(const CLI::App& app, std::string problem) {
+    constexpr std::size_t longest = 300;
+    if (problem.size() > longest) problem = problem.substr(0, longest) + "...";
+    std::string command = "cob";
+    for (const CLI::App* chosen : app.get_subcommands()) command += " " + chosen->get_name();
+    return cob::InputError(problem, {"", 0, "", "see " + command + " --help"}).what();
+}
+
 /// The arguments, last first, as CLI11 takes them; "-.5" is a number and no option.
 std::vector<std::string> words_of(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
@@ -57,8 +66,10 @@ int main(int argc, char** argv) {
         app.parse(words_of(argc, argv));
         return 0;
     } catch (const CLI::ParseError& error) {
-        const int code = app.exit(error);
-        return code == 0 ? 0 : error.get_name() == "RuntimeError" ? code : 2;
+        const bool is_refused = error.get_exit_code() != 0 && error.get_name() != "RuntimeError";
+        if (!is_refused) return app.exit(error);
+        std::fprintf(stderr, "cob: %s\n", refusal(app, error.what()).c_str());
+        return 2;
     } catch (const cob::InputError& error) {
         std::fprintf(stderr, "cob: %s\n", error.what());
         return 2;

@@ -6,6 +6,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "cob/solver.hpp"
+#include "radiosity/mesh.hpp"
 #include "report/exitance_line.hpp"
 #include "report/picture.hpp"
 #include "report/solution_files.hpp"
@@ -66,8 +67,9 @@ report::Camera camera_of(const Arguments& arguments, const Scene& scene) {
     report::Camera camera = !arguments.view.empty() ? report::read_view(arguments.view)
                             : beside                ? report::read_view(*beside)
                                                     : report::default_camera(scene);
-    if (!arguments.position.empty()) camera.position = point_of(arguments.position);
-    if (!arguments.target.empty()) camera.target = point_of(arguments.target);
+    const auto in_units = [&](const Point& p) { return radiosity::in_units(p, camera.exponent); };
+    if (!arguments.position.empty()) camera.position = in_units(point_of(arguments.position));
+    if (!arguments.target.empty()) camera.target = in_units(point_of(arguments.target));
     if (!arguments.up.empty()) camera.up = point_of(arguments.up);
     if (arguments.fov > 0) camera.fov = arguments.fov;
     return camera;
@@ -127,7 +129,8 @@ void run(const Arguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const Scene scene = arguments.scene.read();
     const report::Camera camera = camera_of(arguments, scene);
-    report::Frame(camera, arguments.picture.width, arguments.picture.height);  // refuses before the work, not after
+    report::Frame(report::in_units(camera, radiosity::unit_exponent(scene)), arguments.picture.width,
+                  arguments.picture.height);  // refuses before the work, not after
     const OutputFolder created(arguments.folder);
 
     RadiositySolver solver(scene, solver_options(arguments));
@@ -178,7 +181,7 @@ void add_render(CLI::App& app) {
         ->add_option("-o,--output", a.folder,
                      "Folder for picture.png, mesh.png, states.png, mesh.ply, mesh.vtp, exitance.csv, summary.*")
         ->required();
-    const auto number = [](CLI::Option* option) { option->check(CLI::NonNegativeNumber)->check(finite()); };
+    const auto number = [](CLI::Option* option) { option->check(not_negative()); };
     const auto defaults = command->option_defaults();
 
     defaults->group("Refinement");
@@ -202,8 +205,8 @@ void add_render(CLI::App& app) {
                                "The gradient's minimum edge; 0: an eighth of --edge"));
 
     defaults->group("Stop");
-    command->add_option("--shots", o.stop.shots, "Stop after so many shots")->check(CLI::PositiveNumber);
-    command->add_option("--elements", a.elements, "Stop at so many elements; 0: never")->check(CLI::NonNegativeNumber);
+    command->add_option("--shots", o.stop.shots, "Stop after so many shots")->check(positive_whole_number());
+    command->add_option("--elements", a.elements, "Stop at so many elements; 0: never")->check(whole_number());
     command->add_option("--unshot", o.stop.unshot, "Stop when this share of the emitted flux is unshot")
         ->check(CLI::Range(0.0, 1.0))
         ->check(finite());

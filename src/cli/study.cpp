@@ -8,6 +8,7 @@
 #include "cob/files.hpp"
 #include "golden/scene_writer.hpp"
 #include "golden/sha256.hpp"
+#include "radiosity/photometric_range.hpp"
 #include "report/claims_report.hpp"
 #include "report/study_report.hpp"
 
@@ -55,9 +56,11 @@ struct StudyCommand {
         results.machine = bench_machine();
         results.threads = thread_count(threads);
         const std::string runs = kept(read_scene, results.machine);
+        const bool full = light == "full";
+        // Before the work; with dimmed reflectances even a mirror has direct light.
+        full || shots > 0 ? radiosity::check_solvable(read_scene) : radiosity::check_photometric_range(read_scene);
         const OutputFolder created(runs);
 
-        const bool full = light == "full";
         StudyRegion region;
         if (!within.empty()) {
             region.bounds.emplace();
@@ -134,7 +137,7 @@ void add_study(CLI::App& app) {
     command.add_option("--repeats", options->repeats, "Runs of each setting, for the times")
         ->check(CLI::Range(1, 1000));
     command.add_option("--picture-shots", options->shots, "Shots of the pictures; 0: no pictures")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number());
     add_threads(command, options->threads);
     command.add_flag("--claims", options->claims, "The paper's claims instead: what was measured, and the verdict");
     command.add_option("--only", options->only, "Of the claims only these")->check(CLI::IsMember(claim_ids()));

@@ -1,5 +1,7 @@
 #include "cli/terminal.hpp"
 
+#include "arithmetic/text.hpp"
+
 #include <signal.h>
 #include <unistd.h>
 #include <chrono>
@@ -63,7 +65,7 @@ bool interrupted() {
 }
 
 void remark_on_terminal(const std::string& line) {
-    std::fprintf(stderr, "cob: %s\n", line.c_str());
+    std::fprintf(stderr, "cob: %s\n", one_line(line).c_str());
 }
 
 Progress terminal_progress(std::string title) {

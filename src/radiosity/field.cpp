@@ -1,4 +1,5 @@
 /// Exitance between elements: vertices, T-vertices, and interpolation without cracks.
+#include "geometry/bounds.hpp"
 #include "radiosity/state.hpp"
 
 #include <algorithm>
@@ -160,8 +161,12 @@ Rgb ExitanceField::at(PolygonId polygon, const Point& point) const {
 }
 
 std::array<double, 2> root_coordinates(const Scene& scene, const Root& root, const Point& point) {
-    const auto corner = [&](std::size_t k) { return scene.position(root.corners[k]); };
-    const Point d = point - corner(0), e = corner(1) - corner(0);
+    // In the root's own scale, for there are products of four lengths.
+    cob::Bounds bounds;
+    for (int k = 0; k < root.corner_count(); ++k) bounds.add(scene.position(root.corners[static_cast<std::size_t>(k)]));
+    const int scale = std::ilogb(bounds.half_extent(bounds.longest_axis()));
+    const auto corner = [&](std::size_t k) { return in_units(scene.position(root.corners[k]), scale); };
+    const Point d = in_units(point, scale) - corner(0), e = corner(1) - corner(0);
     if (root.corner_count() == 3) {
         const Point f = corner(2) - corner(0);
         const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), de = dot(d, e), df = dot(d, f);

@@ -43,14 +43,6 @@ int unit_exponent(const Scene& scene) {
     return largest > 0 ? std::ilogb(largest) + 1 : 0;
 }
 
-Point Mesh::in_units(const Point& p) const {
-    return {std::scalbn(p.x, -exponent_), std::scalbn(p.y, -exponent_), std::scalbn(p.z, -exponent_)};
-}
-
-Point Mesh::in_scene(const Point& p) const {
-    return {std::scalbn(p.x, exponent_), std::scalbn(p.y, exponent_), std::scalbn(p.z, exponent_)};
-}
-
 std::size_t Mesh::KeyHash::operator()(const Key& key) const {
     std::uint64_t hash = 0x9e3779b97f4a7c15u;
     for (const std::uint64_t part : {static_cast<std::uint64_t>(static_cast<std::uint32_t>(key.polygon)),

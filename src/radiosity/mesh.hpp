@@ -7,6 +7,7 @@
 #include "cob/scene.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -33,6 +34,10 @@ struct Node {
 /// Photometry runs in units of 2^exponent scene units, in which no coordinate exceeds 1: no product of a few lengths
 /// overflows, whatever the scene's scale.
 int unit_exponent(const Scene& scene);
+/// A point of the scene in such units.
+inline Point in_units(const Point& p, int exponent) {
+    return {std::scalbn(p.x, -exponent), std::scalbn(p.y, -exponent), std::scalbn(p.z, -exponent)};
+}
 
 struct MeshVertex {
     Point position;  ///< In units, within a few roundings of the exact point.
@@ -52,8 +57,8 @@ public:
     const std::vector<MeshVertex>& vertices() const { return vertices_; }
     /// Units to scene coordinates and back.
     int exponent() const { return exponent_; }
-    Point in_units(const Point& scene_point) const;
-    Point in_scene(const Point& unit_point) const;
+    Point in_units(const Point& scene_point) const { return radiosity::in_units(scene_point, exponent_); }
+    Point in_scene(const Point& unit_point) const { return radiosity::in_units(unit_point, -exponent_); }
     NodeId patch_count() const { return patch_count_; }
     /// Patches of a root: [first, last).
     std::pair<NodeId, NodeId> patches_of(RootId root) const;

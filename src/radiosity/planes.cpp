@@ -70,7 +70,7 @@ Planes::Planes(const Scene& scene, int exponent) : scene_(scene) {
                            relative_error * length1(u) * length1(v) + underflow,
                            {loop[0], loop[best], loop[best + 1]}});
         const double length = std::hypot(n.x, n.y, n.z);
-        normals_.push_back(length > 0 ? (1 / length) * n : Point{});
+        normals_.push_back(length > 1e-300 ? (1 / length) * n : Point{});
         corners_.push_back(std::move(corners));
         bounds_.push_back(bounds);
     }

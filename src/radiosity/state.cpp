@@ -3,6 +3,7 @@
 #include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
 #include "geometry/bounds.hpp"
+#include "radiosity/photometric_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,13 @@ const char* to_text(Strength strength) {
     }
     return "";
 }
+
+namespace {
+
+/// Emitted, in W in units: of less, what arrives has lost its digits.
+constexpr double least_flux = 1e-305;
+
+}  // namespace
 
 RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_options)
     : scene(a_scene),
@@ -72,6 +80,8 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
             emitted_flux[c] += unshot_flux[p][c];
         }
     }
+    if (sum(emitted_flux) > 0 && sum(emitted_flux) < least_flux)
+        throw InputError("the lights are too faint", {scene.name(), 0, to_text(sum(emitted_flux)), "give a larger Ke"});
     if (sum(emitted_flux) == 0)
         throw InputError("every light lies wholly under sheets in its plane: everything stays black",
                          {scene.name(), 0, "", "uncover a light, or turn it round"});
@@ -81,17 +91,7 @@ RadiosityOptions RadiositySolver::State::checked(const Scene& scene, RadiosityOp
     const auto refuse = [&](const std::string& problem, const std::string& value, const std::string& remedy) {
         throw InputError(problem, {scene.name(), 0, value, remedy});
     };
-    bool lit = false;
-    for (PolygonId p = 0; p < scene.polygon_count(); ++p) {
-        if (!scene.polygon(p).valid) continue;
-        lit = lit || scene.is_light(p);
-        for (const double rho : scene.material(p).reflectance)
-            if (rho >= 1)
-                refuse("material '" + scene.material(p).name +
-                           "' reflects everything: in a closed scene exitance would grow without end",
-                       to_text(rho), "give it a reflectance below 1");
-    }
-    if (!lit) refuse("the scene has no light: everything stays black", "", "give a material a Ke above 0");
+    check_solvable(scene);
 
     RadiosityOptions& o = options;
     const std::pair<const char*, double> numbers[] = {{"patch edge", o.patch_edge},
@@ -180,13 +180,13 @@ Rgb RadiositySolver::State::ambient(double most_reflectance) const {
 
 EnergyBooks RadiositySolver::State::books() const {
     EnergyBooks books;
-    const double square = std::ldexp(1.0, 2 * std::clamp(mesh->exponent(), -500, 500));
+    books.exponent = 2 * mesh->exponent();
     for (std::size_t p = 0; p < leaves.size(); ++p) {
         for (const NodeId leaf : leaves[p]) {
             const Rgb m = exitance(leaf);
-            for (std::size_t c = 0; c < 3; ++c) books.by_elements[c] += area(leaf) * m[c] * square;
+            for (std::size_t c = 0; c < 3; ++c) books.by_elements[c] += area(leaf) * m[c];
         }
-        for (std::size_t c = 0; c < 3; ++c) books.by_patches[c] += (shot_flux[p][c] + unshot_flux[p][c]) * square;
+        for (std::size_t c = 0; c < 3; ++c) books.by_patches[c] += shot_flux[p][c] + unshot_flux[p][c];
     }
     const auto count = static_cast<double>(std::max<std::int64_t>(1, counters.shots));
     books.closure_mean = closure_sum / count;

@@ -26,6 +26,12 @@ std::vector<Sample> stratified(bool triangle, int count) {
     return result;
 }
 
+/// Brings the longest component near 1.
+double power_of_two_over(const Point& v) {
+    const double longest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    return longest > 0 ? std::ldexp(1.0, std::min(-std::ilogb(longest), 1000)) : 1;
+}
+
 }  // namespace
 
 Transport::Transport(const Scene& scene, const Mesh& mesh, const CandidateSource& candidates, const Sheets& sheets,
@@ -171,10 +177,14 @@ Transport::Fraction Transport::fraction(const Shot& shot, const std::vector<Samp
     const PieceId plane = mesh_.roots()[mesh_.node(element).element.root].piece;
     const Point &normal = planes_.normal(plane), &shooter_normal = planes_.normal(shot.shape.piece);
     Fraction result;
+    // Lengths by the first sample's power of two: at 1e-80 units the fourth power of a distance underflows.
+    double scale = 0;
     for (const Sample& sample : samples) {
         if (!in_front(plane, shot.patch, sample)) continue;
         // Weighted as the closed form weights it: the fraction is of the form factor, not of the area.
-        const Point d = sample.position - at.position;
+        const Point off = sample.position - at.position;
+        if (scale == 0) scale = power_of_two_over(off);
+        const Point d = scale * off;
         const double distance2 = dot(d, d);
         const double weight =
             std::max(dot(normal, d), 0.0) * std::max(-dot(shooter_normal, d), 0.0) / (distance2 * distance2);

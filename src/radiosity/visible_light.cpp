@@ -51,7 +51,8 @@ std::optional<Cone> shadow_of(PlanesThroughPoint& planes, PieceId occluder, Piec
 double apparent_size(const Viewpoint& viewpoint, PieceId piece) {
     const Vector3<double> to = viewpoint.towards(viewpoint.pieces().corners(piece)[0]).value;
     const double distance = length(to);
-    return std::abs(viewpoint.height_over(piece).value) / (distance * distance * distance);
+    const double size = std::abs(viewpoint.height_over(piece).value) / (distance * distance * distance);
+    return size > 0 ? size : 0;  // NaN, of what underflows, would not sort
 }
 
 /// Appends what is seen of the cone over one piece of the light.
@@ -173,14 +174,16 @@ void evaluate(const PlanesThroughPoint& planes, const ReceiverNormal& normal, co
     const BoundedNumber a = sum_in_binary64(planes, normal, all, certain);
     const BoundedNumber v = sum_in_binary64(planes, normal, visible, certain);
     view.unobstructed = a.value, view.visible = v.value;
-    if (!certain || std::max(a.error, v.error) <= 1e-14 * a.value) return;
+    const bool is_number = std::isfinite(a.value) && std::isfinite(v.value);
+    if (is_number && (!certain || (a.error <= 1e-14 * a.value && v.error <= 1e-14 * a.value))) return;
     // The 64 bits of the x87 suffice for most; where long double is binary64, they do not.
     if (evaluate_in<long double>(planes, normal, all, visible, view)) return;
-    // Long angles of a light that is small or seen at a graze cancel: more digits. 1200 suffice for any binary64
-    // input whose light is not both tiny and tangential.
+    // Long angles of a light that is small or seen at a graze cancel: more digits. What 1200 do not tell from nothing
+    // is below 1e-1100, and nothing in binary64.
     if (evaluate_in<Decimal<50>>(planes, normal, all, visible, view)) return;
     if (evaluate_in<Decimal<200>>(planes, normal, all, visible, view)) return;
-    evaluate_in<Decimal<1200>>(planes, normal, all, visible, view);
+    if (evaluate_in<Decimal<1200>>(planes, normal, all, visible, view)) return;
+    view.unobstructed = view.visible = 0;
 }
 
 }  // namespace

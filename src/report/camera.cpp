@@ -3,6 +3,7 @@
 #include "cob/error.hpp"
 #include "cob/files.hpp"
 #include "geometry/bounds.hpp"
+#include "radiosity/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,8 @@ std::string text_of(const Point& p) {
 Frame::Frame(const Camera& camera, int width, int height) : origin_(camera.position) {
     const Point ahead = camera.target - camera.position;
     if (!(length(ahead) > 0) || !std::isfinite(length(ahead)))
-        throw InputError("the camera's position and target are one point", {"", 0, text_of(camera.target), "move one"});
+        throw InputError("the camera's position and target are one point, or too far apart",
+                         {"", 0, text_of(camera.target), "move one"});
     forward_ = unit(ahead);
     const Point side = cross(forward_, camera.up);
     if (!(length(side) > 1e-9 * length(camera.up)))
@@ -88,13 +90,25 @@ std::optional<std::string> view_beside(const std::string& scene_path) {
     return path.string();
 }
 
+Camera in_units(const Camera& camera, int exponent) {
+    Camera result = camera;
+    result.position = radiosity::in_units(camera.position, exponent - camera.exponent);
+    result.target = radiosity::in_units(camera.target, exponent - camera.exponent);
+    result.exponent = exponent;
+    return result;
+}
+
 Camera default_camera(const Scene& scene) {
     if (scene.pieces().empty())
         throw InputError("the scene has no valid polygon", {scene.name(), 0, "", "give one that has something to see"});
     const Bounds bounds = bounds_of(scene);
-    const Point low{bounds.low[0], bounds.low[1], bounds.low[2]}, high{bounds.high[0], bounds.high[1], bounds.high[2]};
-    const Point middle = 0.5 * (low + high), extent = high - low;
     Camera camera;
+    camera.exponent = radiosity::unit_exponent(scene);
+    const auto in_units = [&](const std::array<double, 3>& p) {
+        return radiosity::in_units({p[0], p[1], p[2]}, camera.exponent);
+    };
+    const Point low = in_units(bounds.low), high = in_units(bounds.high);
+    const Point middle = 0.5 * (low + high), extent = high - low;
     camera.target = middle;
     camera.fov = 45;
     // Far enough for the bounding sphere; the backs of the near walls are not drawn.

@@ -13,7 +13,8 @@ namespace cob::report {
 struct Camera {
     Point position, target;
     Point up{0, 0, 1};
-    double fov = 50;  ///< Vertical, degrees, in (0, 180).
+    double fov = 50;   ///< Vertical, degrees, in (0, 180).
+    int exponent = 0;  ///< Position and target are in units of 2^exponent.
 };
 
 /// Where each picture point looks.
@@ -36,6 +37,8 @@ private:
 Camera read_view(const std::string& path);
 /// The file beside an OBJ that has its base name, if there is one.
 std::optional<std::string> view_beside(const std::string& scene_path);
+/// The same view of the scene in units of 2^exponent (mesh.hpp).
+Camera in_units(const Camera& camera, int exponent);
 /// From a corner over the scene's middle, everything in sight.
 Camera default_camera(const Scene& scene);
 

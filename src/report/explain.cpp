@@ -1,5 +1,6 @@
 #include "report/explain.hpp"
 
+#include "arithmetic/text.hpp"
 #include "geometry/candidate_list.hpp"
 #include "report/box_coordinates.hpp"
 #include "report/text.hpp"
@@ -12,18 +13,18 @@
 namespace cob {
 namespace {
 
-std::string rounded(double value) {
-    return printed("%.6g", value);
+std::string rounded(const Rational& value) {
+    return rounded_text(value, 6);
 }
 
 /// "1/3 (about 0.333333)", and alone what is short anyway.
 std::string number(const Rational& value) {
-    const std::string exact = to_text(value), about = rounded(to_nearest(value));
+    const std::string exact = to_text(value), about = rounded(value);
     return exact == about ? exact : exact + " (about " + about + ")";
 }
 
 std::string root_of(const Rational& squared) {
-    return "sqrt(" + to_text(squared) + ") (about " + rounded(std::sqrt(to_nearest(squared))) + ")";
+    return "sqrt(" + to_text(squared) + ") (about " + rounded_root_text(squared, 6) + ")";
 }
 
 std::string vector_text(const RationalPoint& v) {
@@ -32,8 +33,7 @@ std::string vector_text(const RationalPoint& v) {
 
 /// " about (0.333333, 0, 1)", and nothing where that says no more.
 std::string rounded_vector(const RationalPoint& v) {
-    const std::string text =
-        "(" + rounded(to_nearest(v.x)) + ", " + rounded(to_nearest(v.y)) + ", " + rounded(to_nearest(v.z)) + ")";
+    const std::string text = "(" + rounded(v.x) + ", " + rounded(v.y) + ", " + rounded(v.z) + ")";
     return text == vector_text(v) ? "" : " about " + text;
 }
 

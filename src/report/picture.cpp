@@ -59,8 +59,9 @@ public:
         : solver_(solver),
           scene_(solver.mesh().scene()),
           field_(solver),
-          view_(camera, options.width, options.height),
-          caster_(scene_, [&](PolygonId top, PolygonId under) { return solver.lies_on(top, under); }),
+          view_(in_units(camera, solver.mesh().exponent()), options.width, options.height),
+          caster_(scene_, solver.mesh().exponent(),
+                  [&](PolygonId top, PolygonId under) { return solver.lies_on(top, under); }),
           ambient_(options.ambient ? solver.ambient() : Rgb{}),
           roots_of_piece_(scene_.pieces().size()) {
         for (RootId root = 0; root < solver.roots().size(); ++root)
@@ -72,7 +73,8 @@ public:
         const Point direction = view_.direction(x, y);
         const Hit hit = caster_.first(view_.origin(), direction);
         if (hit.piece < 0) return seen;
-        const Point point = view_.origin() + hit.distance * direction;
+        const Mesh& mesh = solver_.mesh();
+        const Point point = view_.origin() + hit.distance * direction, in_scene = mesh.in_scene(point);
 
         // The root, then the leaf.
         const std::vector<RootId>& candidates = roots_of_piece_[static_cast<std::size_t>(hit.piece)];
@@ -80,14 +82,13 @@ public:
         std::array<double, 2> at{};
         double best = -std::numeric_limits<double>::infinity();
         for (const RootId candidate : candidates) {
-            const std::array<double, 2> p = root_coordinates(scene_, solver_.roots()[candidate], point);
+            const std::array<double, 2> p = root_coordinates(scene_, solver_.roots()[candidate], in_scene);
             const double inside = std::min({p[0], p[1], 1 - p[0] - p[1]});
             if (candidates.size() > 1 && inside <= best) continue;
             best = inside;
             root = candidate;
             at = p;
         }
-        const Mesh& mesh = solver_.mesh();
         const Material& material = scene_.material(scene_.piece(hit.piece).polygon);
         seen.leaf = mesh.leaf_at(root, at[0], at[1]);
         seen.exitance = field_.at(root, at[0], at[1]);
@@ -107,10 +108,10 @@ private:
         for (int k = 0; k < node.corner_count(); ++k) {
             const auto corner = [&](int n) {
                 const auto v = node.corners[static_cast<std::size_t>(n % node.corner_count())];
-                return mesh.in_scene(mesh.vertices()[static_cast<std::size_t>(v)].position);
+                return mesh.vertices()[static_cast<std::size_t>(v)].position;
             };
             const Point a = corner(k), side = corner(k + 1) - a, d = cross(point - a, side);
-            nearest = std::min(nearest, std::sqrt(dot(d, d) / dot(side, side)));
+            nearest = std::min(nearest, std::hypot(d.x, d.y, d.z) / std::hypot(side.x, side.y, side.z));
         }
         return std::clamp(1.25 - nearest / pixel, 0.0, 1.0);
     }
@@ -137,7 +138,7 @@ double automatic_exposure(const Painter& painter, const PictureOptions& options)
     if (lights.empty()) return 1;
     const auto place = static_cast<std::ptrdiff_t>(bright_share * static_cast<double>(lights.size() - 1));
     std::nth_element(lights.begin(), lights.begin() + place, lights.end());
-    return bright_light / lights[static_cast<std::size_t>(place)];
+    return std::min(bright_light / lights[static_cast<std::size_t>(place)], 1e300);
 }
 
 }  // namespace

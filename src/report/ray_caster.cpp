@@ -1,5 +1,7 @@
 #include "report/ray_caster.hpp"
 
+#include "radiosity/mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +15,10 @@ constexpr double same_place = 1e-10;
 
 }  // namespace
 
-RayCaster::RayCaster(const Scene& scene, OnTop on_top) : scene_(scene), on_top_(std::move(on_top)) {
+RayCaster::RayCaster(const Scene& scene, int exponent, OnTop on_top) : scene_(scene), on_top_(std::move(on_top)) {
     for (PieceId id = 0; id < static_cast<PieceId>(scene.pieces().size()); ++id) {
         const View<VertexId> loop = scene.corners(scene.piece(id));
-        const auto at = [&](std::size_t k) { return scene.position(loop[k]); };
+        const auto at = [&](std::size_t k) { return radiosity::in_units(scene.position(loop[k]), exponent); };
         for (std::size_t k = 1; k + 1 < loop.size(); ++k)
             triangles_.push_back({at(0), at(k) - at(0), at(k + 1) - at(0), id});
     }
@@ -79,7 +81,7 @@ void RayCaster::meet(const Triangle& t, const Point& origin, const Point& direct
         if (distance > hit.distance * (1 - same_place) && !on_top_(here, before)) return;
     }
     const Point normal = cross(t.first, t.second);
-    hit = {t.piece, distance, determinant / std::sqrt(dot(normal, normal))};
+    hit = {t.piece, distance, determinant / std::hypot(normal.x, normal.y, normal.z)};
 }
 
 Hit RayCaster::first(const Point& origin, const Point& direction) const {

@@ -24,7 +24,8 @@ using OnTop = std::function<bool(PolygonId, PolygonId)>;
 /// A tree of bounds over the pieces' triangles; thread-safe after construction.
 class RayCaster {
 public:
-    RayCaster(const Scene& scene, OnTop on_top);
+    /// Of the scene in units of 2^exponent (mesh.hpp).
+    RayCaster(const Scene& scene, int exponent, OnTop on_top);
     Hit first(const Point& origin, const Point& unit_direction) const;
 
 private:

@@ -1,5 +1,6 @@
 #include "report/solution_files.hpp"
 
+#include "arithmetic/text.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/picture.hpp"
 
@@ -40,7 +41,7 @@ std::string solution_ply(const RadiositySolver& solver, double exposure) {
     std::string text = std::string("ply\nformat ") + (little_endian() ? "binary_little_endian" : "binary_big_endian") +
                        " 1.0\ncomment exitance in W/m2\nelement vertex " + std::to_string(mesh.vertices().size()) +
                        "\nproperty double x\nproperty double y\nproperty double z\n"
-                       "property float exitance_r\nproperty float exitance_g\nproperty float exitance_b\n"
+                       "property double exitance_r\nproperty double exitance_g\nproperty double exitance_b\n"
                        "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face " +
                        std::to_string(leaves.size()) +
                        "\nproperty list uchar int vertex_indices\nproperty int polygon\nproperty uchar level\n"
@@ -48,7 +49,7 @@ std::string solution_ply(const RadiositySolver& solver, double exposure) {
     for (std::size_t v = 0; v < exitance.size(); ++v) {
         const Point at = mesh.in_scene(mesh.vertices()[v].position);
         for (int axis = 0; axis < 3; ++axis) append(text, at[axis]);
-        for (const double m : exitance[v]) append(text, static_cast<float>(m));
+        for (const double m : exitance[v]) append(text, m);
         for (const double m : exitance[v]) append(text, to_srgb(exposure * m));
     }
     for (const NodeId leaf : leaves) {
@@ -105,7 +106,6 @@ std::string solution_vtp(const RadiositySolver& solver) {
 
 std::string solution_csv(const RadiositySolver& solver) {
     const Mesh& mesh = solver.mesh();
-    const double square = std::ldexp(1.0, 2 * mesh.exponent());
     std::string text = "element,polygon,root,level,level_i,level_j,i,j,inverted,x,y,z,area,r,g,b,state\n";
     std::size_t number = 0;
     for (const NodeId leaf : mesh.leaves()) {
@@ -124,8 +124,9 @@ std::string solution_csv(const RadiositySolver& solver) {
               static_cast<long long>(node.level), static_cast<long long>(e.level_i), static_cast<long long>(e.level_j),
               static_cast<long long>(e.i), static_cast<long long>(e.j), static_cast<long long>(e.inverted)})
             text += "," + std::to_string(n);
-        for (const double x : {centre.x, centre.y, centre.z, mesh.area(leaf) * square, m[0], m[1], m[2]})
-            text += "," + to_text(x);
+        for (const double x : {centre.x, centre.y, centre.z}) text += "," + to_text(x);
+        text += "," + scaled_text(mesh.area(leaf), 2 * mesh.exponent());
+        for (const double x : m) text += "," + to_text(x);
         text += std::string(",") + (solver.hidden(leaf) ? "hidden" : to_text(solver.buffer_state(leaf))) + "\n";
     }
     return text;

@@ -1,4 +1,5 @@
 #include "arithmetic/process.hpp"
+#include "arithmetic/text.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/omissions_report.hpp"
 #include "report/solution_files.hpp"
@@ -32,6 +33,19 @@ Json options_json(const RadiosityOptions& o) {
         {"receiving_points", o.receiving_points},
         {"overshoot", o.overshoot},
         {"keep", o.keep.to_text()}};
+}
+
+/// In W: numbers, or text where binary64 does not hold them.
+Json flux_json(const Rgb& flux, int exponent) {
+    Json json = Json::array();
+    for (const double f : flux) {
+        const double watt = std::scalbn(f, exponent);
+        if (f == 0 || std::isnormal(watt))
+            json.push_back(watt);
+        else
+            json.push_back(scaled_text(f, exponent));
+    }
+    return json;
 }
 
 Json buffers_json(const RadiositySolver& solver) {
@@ -77,8 +91,8 @@ Json figures_of(const RadiositySolver& solver, const RunFigures& figures) {
                         {"sampled_anew", c.resampled}};
     json["buffers"] = buffers_json(solver);
     json["left_out"] = omissions_json(solver.omissions());
-    json["bookkeeping"] = {{"exitance_flux_by_elements", books.by_elements},
-                           {"exitance_flux_by_patches", books.by_patches},
+    json["bookkeeping"] = {{"exitance_flux_by_elements", flux_json(books.by_elements, books.exponent)},
+                           {"exitance_flux_by_patches", flux_json(books.by_patches, books.exponent)},
                            {"relative_difference", books.difference()},
                            {"moved_by_subdivision", books.moved}};
     const auto shooter = [&](std::int32_t patch) -> Json {

@@ -5,6 +5,7 @@
 #include "cob/visibility.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/convex_polygon.hpp"
+#include "radiosity/mesh.hpp"
 #include "report/study_points.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace cob {
 namespace {
 
 double length(const Point& v) {
-    return std::sqrt(dot(v, v));
+    return std::hypot(v.x, v.y, v.z);
 }
 
 /// The root's corners; for areas and weights only.
@@ -25,8 +26,10 @@ std::vector<Point> outline(const Scene& scene, const Root& root) {
     return corners;
 }
 
-double area(const Scene& scene, const Root& root) {
-    const std::vector<Point> p = outline(scene, root);
+/// In square units (mesh.hpp), for binary64 holds more lengths than areas.
+double area(const Scene& scene, const Root& root, int exponent) {
+    std::vector<Point> p = outline(scene, root);
+    for (Point& corner : p) corner = radiosity::in_units(corner, exponent);
     const Point twice = p.size() == 3 ? cross(p[1] - p[0], p[2] - p[0]) : cross(p[2] - p[0], p[3] - p[1]);
     return length(twice) / 2;
 }
@@ -111,6 +114,7 @@ private:
 
 StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t points, const StudyRegion& region) {
     StudyReference reference;
+    const int exponent = radiosity::unit_exponent(scene);
 
     // 1. The roots that receive, and the areas.
     const std::set<PolygonId> left_out = overlapped(scene);
@@ -121,7 +125,7 @@ StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t 
     bool lit = false;
     for (const Root& root : roots.all()) {
         const Material& material = scene.material(root.polygon);
-        const double a = area(scene, root);
+        const double a = area(scene, root, exponent);
         all += a;
         for (const double e : material.emitted_exitance) reference.light_exitance += a * e;
         lit = lit || material.emits();
@@ -131,8 +135,10 @@ StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t 
         chosen.push_back(root.id);
         receiving += a;
     }
-    if (!lit) throw InputError("no polygon emits: there is nothing to study");
-    if (chosen.empty()) throw InputError("no polygon receives: none reflects and lies free in its plane");
+    if (!lit) throw InputError("no polygon emits", {scene.name(), 0, "", "give a material a Ke above 0"});
+    if (chosen.empty())
+        throw InputError("no polygon receives: none reflects and lies free in its plane",
+                         {scene.name(), 0, "", "give one a Kd above 0"});
     reference.light_exitance /= all;
     reference.receiver_share = receiving / all;
 
@@ -140,7 +146,7 @@ StudyReference study_points(const Scene& scene, const Roots& roots, std::size_t 
     double so_far = 0;
     for (const RootId id : chosen) {
         const Root& root = roots[id];
-        so_far += area(scene, root);
+        so_far += area(scene, root, exponent);
         const auto wanted = static_cast<std::size_t>(std::llround(static_cast<double>(points) * so_far / receiving));
         // Draws that fall outside the region's bounds are lost; so many of them that there is nothing to find.
         const std::size_t most_draws = region.bounds ? 10000000 : 0;
@@ -201,7 +207,8 @@ StudyReference study_reference(const Scene& scene, std::size_t points, const Pro
         }
         reference.mean_exitance += point.exitance / static_cast<double>(reference.points.size());
     }
-    if (!(reference.mean_exitance > 0)) throw InputError("no light reaches any point: there is nothing to study");
+    if (!(reference.mean_exitance > 0))
+        throw InputError("no light reaches any point", {scene.name(), 0, "", "light what reflects"});
     return reference;
 }
 

@@ -12,10 +12,14 @@
 namespace cob {
 namespace {
 
-/// Sums of differences between the solution and the reference.
+/// Sums of differences between the solution and the reference, both times a power of two near 1 over the mean: squares
+/// of exitance may leave binary64 where exitance does not.
 class ErrorSum {
 public:
+    explicit ErrorSum(double mean) : exponent_(-std::ilogb(mean)) {}
     void add(double value, double reference) {
+        value = std::scalbn(value, exponent_);
+        reference = std::scalbn(reference, exponent_);
         const double difference = std::fabs(value - reference);
         l1_ += difference;
         l2_ += difference * difference;
@@ -31,6 +35,7 @@ public:
     }
 
 private:
+    int exponent_;
     double l1_ = 0, l2_ = 0, most_ = 0, sum_ = 0, squares_ = 0;
     std::size_t count_ = 0;
 };
@@ -88,12 +93,14 @@ void measure_errors(const RadiositySolver& solver, const StudyReference& referen
     const radiosity::Mesh& mesh = solver.mesh();
     const double scale = reference.light == StudyLight::direct ? 1 / dimming : 1;
     const double fine_edge = std::scalbn(2 * run.settings.minimum_edge, -mesh.exponent());
-    ErrorSum all, band;
+    const double mean = reference.mean_exitance;
+    ErrorSum all(mean), band(mean);
     ShareSum shares;
     for (const StudyPoint& point : reference.points) {
         const auto [u, v] = point.coordinates;
         const Rgb exitance = field.at(point.root, u, v);
-        const double value = scale * (exitance[0] + exitance[1] + exitance[2]), error = value - point.exitance;
+        const double value = scale * (exitance[0] + exitance[1] + exitance[2]);
+        const double error = (value - point.exitance) / mean;
         all.add(value, point.exitance);
         if (point.in_band) band.add(value, point.exitance);
         shares.add(point.in_band, mesh.longest_side(mesh.leaf_at(point.root, u, v)) <= fine_edge, error * error);

@@ -122,10 +122,6 @@ private:
         }
     }
 
-    Point in_units(const Point& p) const {
-        return {std::scalbn(p.x, -exponent_), std::scalbn(p.y, -exponent_), std::scalbn(p.z, -exponent_)};
-    }
-
     void add_patch(const Root& root, const Element& element, Scene::Input& input) {
         SystemPatch patch;
         patch.root = root.id;
@@ -137,7 +133,7 @@ private:
         patch.shape.corner_count = exact.count;
         for (std::size_t k = 0; k < static_cast<std::size_t>(exact.count); ++k) {
             patch.corners[k] = exact.points[k].nearest();
-            patch.shape.corners[k] = in_units(patch.corners[k]);
+            patch.shape.corners[k] = in_units(patch.corners[k], exponent_);
             face.corners.push_back(static_cast<VertexId>(input.positions.size()));
             input.positions.push_back(patch.corners[k]);
         }
@@ -151,7 +147,7 @@ private:
         const Point x = on.position.nearest();
         PatchShape point;
         point.piece = roots_[receiver].piece;
-        point.corners[0] = in_units(x);
+        point.corners[0] = in_units(x, exponent_);
         point.corner_count = 1;
         point.bounds = radiosity::bounds_of(point.corners.data(), 1);
         const Viewpoint viewpoint(*prepared_, on.position);
@@ -221,12 +217,15 @@ StudyReference study_transport_reference(const Scene& scene, std::size_t points,
         ++which;
     }
 
-    double difference = 0, whole = 0;
+    const double count = static_cast<double>(exitance.size());
     reference.mean_exitance = 0;
     for (std::size_t k = 0; k < exitance.size(); ++k) {
-        const auto [value, other] = exitance[k];
-        reference.points[k].exitance = value;
-        reference.mean_exitance += value / static_cast<double>(exitance.size());
+        reference.points[k].exitance = exitance[k][0];
+        reference.mean_exitance += exitance[k][0] / count;
+    }
+    double difference = 0, whole = 0;  // by the mean, whose square may leave binary64
+    for (const auto& [fine_value, coarse_value] : exitance) {
+        const double value = fine_value / reference.mean_exitance, other = coarse_value / reference.mean_exitance;
         difference += (value - other) * (value - other);
         whole += value * value;
     }

@@ -1,5 +1,5 @@
 // Text and numbers: SPEC section 1, "the binary64 number nearest to its text".
-#include "cob/arithmetic.hpp"
+#include "arithmetic/text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -149,6 +149,22 @@ TEST(ExactPoint, IsExactWhateverItsProvenance) {
     EXPECT_FALSE(pair.is_binary64());
     EXPECT_EQ(pair.rational(), dyadic);
     EXPECT_TRUE(ExactPoint(Point{1, 2, 3}).is_binary64());
+}
+
+// Reports name squares and areas that binary64 does not hold.
+TEST(RoundedText, BeyondBinary64) {
+    const Rational large = Rational(Integer(1) << 2000), small = 1 / large;
+    EXPECT_EQ(rounded_text(Rational(1, 3), 6), "0.333333");
+    EXPECT_EQ(rounded_text(0, 6), "0");
+    EXPECT_EQ(rounded_text(large, 6), "1.14813e+602");
+    EXPECT_EQ(rounded_text(-small, 6), "-8.70981e-603");
+    EXPECT_EQ(rounded_root_text(2, 6), "1.41421");
+    EXPECT_EQ(rounded_root_text(large, 6), "1.07151e+301");
+    EXPECT_EQ(rounded_root_text(small, 6), "9.33264e-302");
+    EXPECT_EQ(scaled_text(0.75, 1), "1.5");
+    EXPECT_EQ(scaled_text(0, 2000), "0");
+    EXPECT_EQ(scaled_text(1, 2000), "1.1481306952742545e+602");
+    EXPECT_EQ(scaled_text(-1, -2000), "-8.7098098162172167e-603");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
 
 namespace cob {
@@ -41,6 +42,28 @@ TEST(Commands, NumbersThatAreNoneAreRefused) {
         EXPECT_NE(text.find(std::string(option).substr(0, std::string(option).find_first_of(" ="))), std::string::npos)
             << arguments << ": " << text;
         EXPECT_FALSE(std::filesystem::exists(folder / "out")) << arguments;
+    }
+}
+
+// "One line", whatever it quotes: option parsing has the form of all bad input, and names may hold line breaks.
+TEST(Commands, BadInputIsOneLine) {
+    const test::TemporaryFolder folder;
+    for (const std::string& arguments :
+         {"classify " + figure2 + " --level 99 -o " + folder / "out", "classify " + figure2,
+          "classify " + figure2 + " --bogus -o " + folder / "out", std::string("bogus"), std::string(),
+          "formfactors " + figure2 + " --evaluations 0 -o " + folder / "out", "render " + figure2 + " --edge",
+          "render " + figure2 + " --edge=-1 -o " + folder / "out",
+          "classify " + figure2 + " --mode \"$(printf 'a\\nb')\" -o " + folder / "out",
+          "golden " + figure2 + " --seed " + std::string(5000, 'x') + " -o " + folder / "out",
+          "info \"" + folder / "$(printf 'no\\nsuch\\033[1mfile')" + "\"", "answer " + folder / "none" + " -o out"}) {
+        const auto run = run_program(arguments);
+        EXPECT_EQ(run.code, 2) << arguments;
+        EXPECT_EQ(run.out, "") << arguments;
+        EXPECT_EQ(run.error.rfind("cob: ", 0), 0u) << arguments << ": " << run.error;
+        EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << arguments << ": " << run.error;
+        EXPECT_EQ(run.error.find('\033'), std::string::npos) << arguments;
+        EXPECT_NE(run.error.find(": ", 5), std::string::npos) << arguments << " has no remedy: " << run.error;
+        EXPECT_LT(run.error.size(), 500u) << arguments;
     }
 }
 

@@ -34,6 +34,16 @@ TEST(Explain, ShowsExactValues) {
     EXPECT_TRUE(says(run, "from (z/h)^2 = 1/100 (about 0.01) to 1/100 (about 0.01)")) << run.out;
 }
 
+// Squares of what binary64 just holds are beyond it, and named all the same.
+TEST(Explain, NamesWhatIsBeyondBinary64) {
+    for (const char* options : {"--height 1e308", "--height 1e-308", "--margin 1e308"}) {
+        const auto run = explain(std::string("figure4.obj 0.0/0 ") + options);
+        EXPECT_EQ(run.code, 0) << run.error;
+        EXPECT_TRUE(says(run, "e+61") || says(run, "e-61") || says(run, "e+30")) << run.out;
+        EXPECT_FALSE(says(run, "about inf") || says(run, "about 0)") || says(run, "nan")) << run.out;
+    }
+}
+
 // Every element of a scene with coplanar, touching and non-planar neighbours: the words, made from plain fractions,
 // contradict relate() nowhere (the program would end with an internal error), and the state is classify's.
 TEST(Explain, AgreesWithClassify) {

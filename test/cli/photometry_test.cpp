@@ -48,6 +48,18 @@ protected:
     std::string set_ = folder_ / "set", out_ = folder_ / "irradiance.csv";
 };
 
+// A light that is tiny and seen at a graze: less than 1e-1000, which is 0 in binary64 and no NaN.
+TEST_F(IrradianceCommand, WhatIsTooSmallForAnyNumberIsZero) {
+    const auto run = irradiance("0,1e300,1e300,0,0,0,1\n1,-1e300,0.5,0,1e300,0,5e-324\n");
+    ASSERT_EQ(run.code, 0) << run.error;
+    const auto rows = read_all<IrradianceRow>(out_);
+    ASSERT_EQ(rows.size(), 4u);
+    for (const IrradianceRow& row : rows) {
+        EXPECT_EQ(row.unobstructed, 0) << row.point;
+        EXPECT_EQ(row.visible, 0) << row.point;
+    }
+}
+
 // "One row for each point and light", ascending; irradiance is the visible form factor times Ke; error below 1e-13 of
 // the unobstructed value.
 TEST_F(IrradianceCommand, ClosedForms) {
