@@ -12,10 +12,11 @@ namespace cob {
 
 /// A file that appears under its name only when commit() succeeds: written beside it under a temporary name, then
 /// renamed. Destroyed without commit(): the temporary is removed; of a process that was killed, by the next that writes
-/// the same file. Throws InputError (disk full, read-only, ...).
+/// the same file. Of a link, the file that it leads to is replaced. Throws InputError (disk full, read-only, a folder,
+/// a device or a pipe of that name, ...).
 class OutputFile {
 public:
-    explicit OutputFile(std::string path);
+    explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;

@@ -50,9 +50,10 @@ bool draw_one(const Plot& plot, const std::string& terminal, const std::string& 
     // A script file rather than a pipe: where gnuplot is missing, writing to it would be a signal, not an error.
     const std::string temporary = path + ".tmp", script = path + ".gnuplot.tmp";
     write_file(script, gnuplot_script(plot, terminal, temporary));
-    const bool drawn = run_gnuplot(script) && std::rename(temporary.c_str(), path.c_str()) == 0;
+    const bool drawn = run_gnuplot(script);
+    if (drawn) write_file(path, read_file(temporary));
     std::remove(script.c_str());
-    if (!drawn) std::remove(temporary.c_str());
+    std::remove(temporary.c_str());
     return drawn;
 }
 

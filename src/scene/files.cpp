@@ -32,10 +32,21 @@ void remove_leftovers(const std::filesystem::path& path) {
     }
 }
 
+/// The file that a name stands for, links followed: a link stays a link. A device or a pipe would be replaced.
+std::string ordinary_file(const std::string& path) {
+    std::error_code unknown;
+    const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw InputError("cannot create", {path, 0, is_folder(path) ? "is a folder" : "is no ordinary file",
+                                           "name a file that is new or may be replaced"});
+    const std::filesystem::path target = std::filesystem::canonical(path, unknown);
+    return unknown ? path : target.string();
+}
+
 }  // namespace
 
-OutputFile::OutputFile(std::string path)
-    : path_(std::move(path)), temporary_(path_ + temporary_ending + std::to_string(::getpid())) {
+OutputFile::OutputFile(const std::string& path)
+    : path_(ordinary_file(path)), temporary_(path_ + temporary_ending + std::to_string(::getpid())) {
     remove_leftovers(path_);
     file_ = std::fopen(temporary_.c_str(), "wb");
     if (!file_) fail("cannot create");
