@@ -21,7 +21,7 @@ struct AnswerOptions {
     /// Of the predicates; `exact` gives the golden answers. Questions are read and boxes refused exactly in all.
     Arithmetic arithmetic = Arithmetic::exact;
     Peer peer = Peer::none;  ///< Who answers instead, one table of questions only.
-    Source source = Source::cgal;
+    Source source = Source::tree;
     int threads = 0;                              ///< 0: one for each processor.
     bool skip_invalid = false;                    ///< Refused polygons keep their numbers and occur in no answer.
     Progress progress;                            ///< Counts questions; how many there are is not known.

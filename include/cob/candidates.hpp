@@ -39,8 +39,8 @@ public:
 /// Where candidates come from.
 enum class Source : std::uint8_t {
     all,     ///< Everything, without a tree.
-    cgal,    ///< CGAL's AABB tree.
-    embree,  ///< Embree's, for segments; boxes ask CGAL's.
+    tree,    ///< CGAL's AABB tree for boxes, a flat tree built by the surface area heuristic for segments.
+    embree,  ///< Embree's for segments; boxes ask CGAL's.
     octree,  ///< A loose octree: a baseline to measure the others against.
 };
 

@@ -79,7 +79,7 @@ private:
 
 /// --source
 struct SourceOption : Choice<Source> {
-    SourceOption() : Choice(Source::cgal, {Source::all, Source::cgal, Source::embree, Source::octree}) {}
+    SourceOption() : Choice(Source::tree, {Source::all, Source::tree, Source::embree, Source::octree}) {}
     void add_to(CLI::App& command);
 };
 

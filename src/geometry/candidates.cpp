@@ -52,8 +52,8 @@ const char* to_text(Source source) {
     switch (source) {
         case Source::all:
             return "all";
-        case Source::cgal:
-            return "cgal";
+        case Source::tree:
+            return "tree";
         case Source::embree:
             return "embree";
         case Source::octree:
@@ -75,8 +75,8 @@ std::unique_ptr<CandidateSource> make_candidates(const Scene& scene, Source sour
     switch (source) {
         case Source::all:
             return std::make_unique<AllCandidates>(scene);
-        case Source::cgal:
-            return make_cgal_candidates(scene);
+        case Source::tree:
+            return make_tree_candidates(scene);
         case Source::octree:
             return make_octree_candidates(scene);
         case Source::embree:

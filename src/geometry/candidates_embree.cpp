@@ -1,5 +1,5 @@
 // Embree as a tree only: every piece is a user geometry with widened bounds, and its occlusion callback asks the exact
-// test, so that a piece that blocks ends the walk.
+// test of what binary32 does not exclude, so that a piece that blocks ends the walk.
 #include "cob/error.hpp"
 #include "geometry/candidates_trees.hpp"
 #include "geometry/embree_handles.hpp"
@@ -21,7 +21,7 @@ constexpr double walking_margin = 0x1p-18;
 
 class EmbreeCandidates final : public CandidateSource {
 public:
-    explicit EmbreeCandidates(const Scene& scene) : scene_(scene), boxes_(make_cgal_candidates(scene)) {}
+    explicit EmbreeCandidates(const Scene& scene) : scene_(scene), boxes_(make_tree_candidates(scene)) {}
 
     void polygons_in(const std::array<double, 6>& bounds, Callback callback) const override {
         boxes_->polygons_in(bounds, callback);
@@ -37,13 +37,14 @@ public:
         // 2. A ray from parameter 0 to 1.
         RTCRay ray = embree_ray(segment.from, segment.to);
         // 3. Down the tree.
-        Context context{{}, callback};
+        Context context{{}, callback, outlines_.data(), OutlineSegment(segment)};
         rtcInitIntersectContext(&context.embree);
         rtcOccluded1(tree_.get(), &context.embree, &ray);
     }
 
     std::size_t memory() const override {
-        return sizeof *this + static_cast<std::size_t>(bytes_.load()) + boxes_->memory();
+        return sizeof *this + static_cast<std::size_t>(bytes_.load()) + outlines_.capacity() * sizeof(PieceOutline) +
+               boxes_->memory();
     }
 
 private:
@@ -51,6 +52,8 @@ private:
     struct Context {
         RTCIntersectContext embree;
         PieceCallback callback;
+        const PieceOutline* outlines;
+        OutlineSegment segment;
     };
 
     static void bound(const RTCBoundsFunctionArguments* arguments) {
@@ -74,7 +77,7 @@ private:
     static void occluded(const RTCOccludedFunctionNArguments* arguments) {
         if (arguments->valid[0] == 0) return;
         const Context& context = *reinterpret_cast<const Context*>(arguments->context);
-        if (context.callback.call(context.callback.context, static_cast<PieceId>(arguments->primID), false)) return;
+        if (hand_over(context.outlines[arguments->primID], context.segment, context.callback)) return;
         RTCRayN_tfar(arguments->ray, arguments->N, 0) = -std::numeric_limits<float>::infinity();
     }
 
@@ -89,7 +92,10 @@ private:
     void build_here() const {
         normalisation_.emplace(bounds_of(scene_));
         std::vector<RTCBounds> bounds;
-        for (const Piece& piece : scene_.pieces()) bounds.push_back(bounds_of_piece(piece));
+        for (PieceId id = 0; id < static_cast<PieceId>(scene_.pieces().size()); ++id) {
+            bounds.push_back(bounds_of_piece(scene_.piece(id)));
+            outlines_.emplace_back(scene_, id, *normalisation_);
+        }
 
         device_.reset(rtcNewDevice(nullptr));
         if (!device_) throw InputError("Embree cannot start here", {"", 0, "", "choose another source of candidates"});
@@ -116,6 +122,7 @@ private:
     mutable std::atomic<std::int64_t> bytes_{0};
     mutable EmbreeDevice device_;
     mutable EmbreeScene tree_;
+    mutable LargeVector<PieceOutline> outlines_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace cob {
 
-std::unique_ptr<CandidateSource> make_cgal_candidates(const Scene& scene);
+std::unique_ptr<CandidateSource> make_tree_candidates(const Scene& scene);
 std::unique_ptr<CandidateSource> make_octree_candidates(const Scene& scene);
 /// Only where the library is built with Embree.
 std::unique_ptr<CandidateSource> make_embree_candidates(const Scene& scene);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cob/visibility.hpp"
+#include "geometry/certain.hpp"
 #include "geometry/difference_signs.hpp"
 #include "geometry/visibility_pieces.hpp"
 
@@ -20,9 +21,6 @@ struct Ray {
     VertexId from, to;
     friend Ray operator-(const Ray& ray) { return {ray.to, ray.from}; }
 };
-
-/// What is certain about a segment and a piece without exact arithmetic.
-enum class Certain : std::uint8_t { unknown, missed, crossed_inside };
 
 /// Exact arithmetic: filter, integers, fractions.
 struct ExactArithmetic {

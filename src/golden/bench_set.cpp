@@ -58,7 +58,7 @@ void read_segments(const std::string& folder, const BenchOptions& options, Bench
 BenchSet read_bench_set(const std::string& folder, const BenchOptions& options) {
     check_files(folder, read_set_manifest(folder));
     BenchSet set{read_obj(folder + "/scene.obj", {true, false}), {}, {}, {}};
-    set.candidates = make_candidates(set.scene, Source::cgal);
+    set.candidates = make_candidates(set.scene, Source::tree);
     try {
         if (exists(folder + "/boxes.csv")) read_boxes(folder, options, set);
         if (exists(folder + "/segments.csv")) read_segments(folder, options, set);

@@ -145,7 +145,7 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     const SnappedScene snapped = snap(std::move(as_read), parameters);
     const Scene& scene = snapped.scene;
     const SceneText text = write_scene(scene);
-    const auto candidates = make_candidates(scene, Source::cgal);
+    const auto candidates = make_candidates(scene, Source::tree);
     const Questions questions(scene, *candidates, parameters);
     const Plan plan{questions.box_count(), questions.segment_count(), options.shard_size};
     GoldenResult result{plan.boxes, plan.segments, plan.count(), 0, false, snapped.report};

@@ -53,7 +53,7 @@ RadiositySolver::State::State(const Scene& a_scene, RadiosityOptions some_option
       channels_(omissions(Omission::grey) ? 1 : 3),
       arena_(thread_count(options.threads)) {
     const PhaseTimer timer(times.meshing);
-    candidates = make_candidates(scene, omissions(Omission::tree) ? Source::all : Source::cgal);
+    candidates = make_candidates(scene, omissions(Omission::tree) ? Source::all : Source::tree);
     mesh = std::make_unique<Mesh>(scene, roots, options.patch_edge, options.light_edge);
     sheets = std::make_unique<Sheets>(scene, *candidates);
     arena_.execute(

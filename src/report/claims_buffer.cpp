@@ -95,8 +95,8 @@ void two_levels(Bench& bench, ClaimResult& result) {
         const auto measure = [&](Source source, BufferLevels levels) {
             return classify_time(elements, source, levels, seconds).microseconds();
         };
-        const double one = measure(Source::cgal, BufferLevels::element);
-        const double two = measure(Source::cgal, BufferLevels::polygon);
+        const double one = measure(Source::tree, BufferLevels::element);
+        const double two = measure(Source::tree, BufferLevels::polygon);
         const double octree = measure(Source::octree, BufferLevels::element);
         const double brute = measure(Source::all, BufferLevels::element);
         ClaimCase c;
@@ -122,7 +122,7 @@ void neighbours_alike(Bench& bench, ClaimResult& result) {
     for (const BufferScene& s : shipped(bench, {"figure7", "open_box", "desk", "office", "hall"})) {
         const Roots roots(*s.scene);
         const ElementList elements(*s.scene, roots, s.meshing);
-        const auto candidates = make_candidates(*s.scene, Source::cgal);
+        const auto candidates = make_candidates(*s.scene, Source::tree);
         const ClassifyOptions options = states_only(BufferLevels::tree);
         ElementClassifier classifier(elements, *candidates, options);
         std::array<std::vector<PolygonId>, 4> lists;
@@ -171,7 +171,7 @@ void cover_test(Bench& bench, ClaimResult& result) {
         // Boxes and the polygons that the tree names for them, of up to so many elements evenly picked.
         const Roots roots(*s.scene);
         const ElementList elements(*s.scene, roots, s.meshing);
-        const auto candidates = make_candidates(*s.scene, Source::cgal);
+        const auto candidates = make_candidates(*s.scene, Source::tree);
         const std::uint64_t stride = std::max<std::uint64_t>(1, elements.size() / (bench.quick() ? 100 : 2000));
         std::vector<Box> boxes;
         std::vector<std::vector<PolygonId>> named;

@@ -92,7 +92,7 @@ void tangential(Bench& bench, ClaimResult& result) {
         options.threads = bench.options().threads;
         RadiositySolver solver(scene, options);
         bench.solve(solver);
-        const auto candidates = make_candidates(scene, Source::cgal);
+        const auto candidates = make_candidates(scene, Source::tree);
         const IrradianceOracle oracle(scene, *candidates);
         double mean = 0;
         for (const StudyPoint& point : reference.points)
@@ -145,7 +145,7 @@ void in_vain(Bench& bench, ClaimResult& result) {
         const Scene& scene = bench.scene(name);
         const Roots roots(scene);
         const ElementList elements(scene, roots, {bench.edge(scene, 16), 0});
-        const auto candidates = make_candidates(scene, Source::cgal);
+        const auto candidates = make_candidates(scene, Source::tree);
         TruthOptions options;
         options.classify.relations = false;
         options.max_pairs = bench.quick() ? 60 : 250;

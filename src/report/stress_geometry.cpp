@@ -243,7 +243,7 @@ constexpr std::size_t most_boxes = 40, most_segments = 160;
 GeometryRow row_of(const GeometryCase& c, const Answers& untransformed) {
     const Scene scene = scene_of(c.shapes);
     const Questions questions = stress::ask(scene, c.level, c.margin, c.height, most_boxes, most_segments);
-    const Answers exact = answer(scene, questions, Arithmetic::exact, Source::cgal);
+    const Answers exact = answer(scene, questions, Arithmetic::exact, Source::tree);
     GeometryRow row = compared(c.name, scene, questions, exact);
     if (c.unchanged != Unchanged::nothing) {
         const ArithmeticErrors changed = difference(exact, untransformed);
@@ -290,7 +290,7 @@ GeometryRow deep_refinement() {
     for (const ExactPoint& p : points)
         for (const ExactPoint& q : {above, aside}) questions.segments.push_back({p, q, -1, -1});
 
-    const Answers exact = answer(scene, questions, Arithmetic::exact, Source::cgal);
+    const Answers exact = answer(scene, questions, Arithmetic::exact, Source::tree);
     GeometryRow row = compared("refinement 30 levels deep", scene, questions, exact);
     std::size_t unnested = 0;
     for (std::size_t i = 2; i < exact.relations.size(); ++i)  // two other polygons a box
@@ -320,7 +320,7 @@ std::vector<GeometryRow> stress_geometry(const StressOptions& options) {
     const GeometryCase defaults;
     const Questions questions =
         stress::ask(scene, defaults.level, defaults.margin, defaults.height, most_boxes, most_segments);
-    const Answers untransformed = answer(scene, questions, Arithmetic::exact, Source::cgal);
+    const Answers untransformed = answer(scene, questions, Arithmetic::exact, Source::tree);
     std::vector<GeometryRow> rows;
     for (const GeometryCase& c : all_cases(options.quick)) {
         if (options.progress) options.progress(rows.size(), 0);

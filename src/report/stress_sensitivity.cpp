@@ -49,7 +49,7 @@ public:
         : before_(before),
           after_(after),
           roots_(after),
-          sources_{make_candidates(before, Source::cgal), make_candidates(after, Source::cgal)},
+          sources_{make_candidates(before, Source::tree), make_candidates(after, Source::tree)},
           oracles_{VisibilityOracle(before, *sources_[0]), VisibilityOracle(after, *sources_[1])} {}
 
     Changes run(std::size_t most_boxes, std::size_t most_segments) {

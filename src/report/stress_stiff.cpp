@@ -178,7 +178,7 @@ StressRow slit(double width) {
                     {{-0.5, -0.5, 1}, {-0.5, 0.5, 1}, {0.5, 0.5, 1}, {0.5, -0.5, 1}}};
     shapes.lights = {3};
     const Scene scene = scene_of(shapes);
-    const std::unique_ptr<CandidateSource> candidates = make_candidates(scene, Source::cgal);
+    const std::unique_ptr<CandidateSource> candidates = make_candidates(scene, Source::tree);
     const LightAtPoint light = IrradianceOracle(scene, *candidates)(Point{0, 0, 0}, to_rational({0, 0, 1}), 3);
     const stress::Loop strip{{-width, -0.5, 1}, {-width, 0.5, 1}, {width, 0.5, 1}, {width, -0.5, 1}};
     const double truth = precise_form_factor({0, 0, 0}, {0, 0, 1}, {strip.data(), strip.data() + 4}).value;

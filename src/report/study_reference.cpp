@@ -184,7 +184,7 @@ PointOnRoot point_on_root(const Scene& scene, const Root& root, const std::array
 StudyReference study_reference(const Scene& scene, std::size_t points, const Progress& progress,
                                const StudyRegion& region) {
     const Roots roots(scene);
-    const auto candidates = make_candidates(scene, Source::cgal);
+    const auto candidates = make_candidates(scene, Source::tree);
     const IrradianceOracle oracle(scene, *candidates);
     const BandFinder band(scene, roots, *candidates);
     StudyReference reference = study_points(scene, roots, points, region);

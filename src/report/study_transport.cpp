@@ -113,7 +113,7 @@ public:
 
 private:
     void find_sheets() {
-        const auto candidates = make_candidates(scene_, Source::cgal);
+        const auto candidates = make_candidates(scene_, Source::tree);
         for (const Root& root : roots_.all()) {
             on_top_.emplace_back();
             for (const PolygonId sheet : sheets_on_top(scene_, root.polygon, *candidates))

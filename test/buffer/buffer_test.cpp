@@ -43,7 +43,7 @@ TEST(BufferBuilder, FromTheSceneOrFromTheParent) {
     for (std::uint64_t seed = 100; seed < 130; ++seed) {
         const Scene scene = test::random_room(seed);
         const Roots roots(scene);
-        const auto source = make_candidates(scene, Source::cgal);
+        const auto source = make_candidates(scene, Source::tree);
         BufferOptions options;
         options.mode = seed % 2 == 0 ? BufferMode::strict : BufferMode::inherit;
         BufferBuilder builder(scene, roots, *source, options);
@@ -57,7 +57,7 @@ TEST(BufferBuilder, FromTheSceneOrFromTheParent) {
 TEST(BufferBuilder, KeepsTheParentsListWhereNothingIsMissing) {
     const Scene scene = test::data_scene("figure3");
     const Roots roots(scene);
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     BufferBuilder builder(scene, roots, *source, BufferOptions{});
     const Element table = root_element(0);
     const CloseObjectBuffer around = builder.build(table);
@@ -102,7 +102,7 @@ TEST(BufferBuilder, ThreadsBuildWhatOneThreadBuilds) {
     const Scene scene = test::data_scene("desk");
     const Roots roots(scene);
     const ElementList elements(scene, roots, Meshing{0, 2});
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     BufferBuilder one(scene, roots, *source, BufferOptions{}), many(scene, roots, *source, BufferOptions{});
     std::vector<CloseObjectBuffer> buffers(elements.size());
     tbb::parallel_for(std::uint64_t{0}, elements.size(),

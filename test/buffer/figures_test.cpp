@@ -16,7 +16,7 @@ public:
         : scene_(test::data_scene(name)),
           roots_(scene_),
           elements_(scene_, roots_, Meshing{0, level}),
-          source_(make_candidates(scene_, Source::cgal)) {}
+          source_(make_candidates(scene_, Source::tree)) {}
 
     ClassifiedElement classified(std::uint64_t number) const {
         ClassifiedElement result;
@@ -102,7 +102,7 @@ TEST(PaperFigures, Figure6LightBelowTheSheet) {
 TEST(PaperFigures, Figure7TwoLevels) {
     const Figure figure("figure7", 4);
     const Scene& scene = figure.elements().scene();
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     BufferBuilder builder(scene, figure.elements().roots(), *source, BufferOptions{});
     BufferStatistics statistics;
     const CloseObjectBuffer table = builder.build(root_element(0)), beside = builder.build(root_element(1));

@@ -61,7 +61,7 @@ TEST(Levels, EveryLevelGivesWhatTheWholeSceneGives) {
         const Scene scene = test::random_room(seed);
         const Roots roots(scene);
         const ElementList elements(scene, roots, Meshing{seed % 3 == 0 ? 3.0 : 0.0, seed % 3 == 0 ? 1 : 2});
-        const auto tree = make_candidates(scene, seed % 2 == 0 ? Source::cgal : Source::octree);
+        const auto tree = make_candidates(scene, seed % 2 == 0 ? Source::tree : Source::octree);
         const auto all = make_candidates(scene, Source::all);
         ClassifyOptions options;
         options.levels = BufferLevels::element;
@@ -91,7 +91,7 @@ TEST(Levels, OrderOfQuestionsDoesNotMatter) {
     const Scene scene = test::data_scene("desk");
     const Roots roots(scene);
     const ElementList elements(scene, roots, Meshing{0, 2});
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     ClassifyOptions options;
     options.levels = BufferLevels::tree;
     const auto expected = classify_all(elements, *source, options);
@@ -110,7 +110,7 @@ TEST(Levels, ListsOfTheParentSpareTests) {
     const Scene scene = test::data_scene("figure7");
     const Roots roots(scene);
     const ElementList elements(scene, roots, Meshing{0, 4});
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     ClassifyOptions options;
     options.relations = false;
     options.levels = BufferLevels::element;
@@ -141,7 +141,7 @@ TEST(Levels, AutomaticBuildsBuffersWherePolygonsAreFew) {
     const auto run = [](const Scene& scene, const Meshing& meshing, BufferLevels levels) {
         const Roots roots(scene);
         const ElementList elements(scene, roots, meshing);
-        const auto source = make_candidates(scene, Source::cgal);
+        const auto source = make_candidates(scene, Source::tree);
         ClassifyOptions options;
         options.levels = levels;
         options.relations = false;

@@ -121,7 +121,7 @@ TEST(Classify, HelpShowsEveryDefault) {
     const auto run = test::run_program("classify --help");
     EXPECT_EQ(run.code, 0);
     for (const char* shown : {"--level", "=0", "--edge", "--margin", "=0.125", "--height", "=0.25", "--buffer", "=auto",
-                              "--mode", "=strict", "--source", "=cgal", "--threads"})
+                              "--mode", "=strict", "--source", "=tree", "--threads"})
         EXPECT_NE(run.out.find(shown), std::string::npos) << shown;
 }
 

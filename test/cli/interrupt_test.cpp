@@ -36,7 +36,7 @@ TEST(Interrupt, ClassifyLeavesNothingBehind) {
     const Scene scene = read_obj(COB_DATA "/desk.obj", ReadOptions{});
     const Roots roots(scene);
     const ElementList elements(scene, roots, Meshing{0, 2});
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     for (const int threads : {1, 2}) {
         const test::TemporaryFolder folder;
         ClassifySceneOptions options;

@@ -105,7 +105,7 @@ TEST(ClosedMesh, NeverLeaks) {
         const std::vector<naive::Face> faces = solid.faces();
         if (faces.empty()) return;
         const Scene scene = library_scene(faces);
-        const auto source = make_candidates(scene, Source::cgal);
+        const auto source = make_candidates(scene, Source::tree);
         const VisibilityOracle oracle(scene, *source);
         for (int k = 0; k < 60; ++k) {
             const auto& corners = dice.any(faces).corners;

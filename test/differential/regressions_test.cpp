@@ -62,7 +62,7 @@ TEST(Regressions, Visibility) {
         for (const auto& corners : row.faces) faces.push_back({corners, false});
         const Scene scene = library_scene(faces);
         const ExactPoint from(row.from), to(row.to);
-        for (const Source kind : {Source::all, Source::cgal, Source::octree, Source::embree}) {
+        for (const Source kind : {Source::all, Source::tree, Source::octree, Source::embree}) {
             if (!is_available(kind)) continue;
             const auto source = make_candidates(scene, kind);
             const VisibilityOracle oracle(scene, *source);
@@ -92,7 +92,7 @@ TEST(Regressions, CoplanarIsSaidOfThePieces) {
 // SPEC 4: only the direction of u counts, be it a fraction that no binary64 number is near.
 TEST(Regressions, DirectionsMayBeTinyFractions) {
     const Scene scene = library_scene({{{{2.25, 1.2, 0.1}, {2.3, 1.2, 0.1}, {2.25, 1.22, 0.2}}, false}});
-    const auto source = make_candidates(scene, Source::cgal);
+    const auto source = make_candidates(scene, Source::tree);
     const Rational unit(1, 3 * (Integer(1) << 1074)), huge(Integer(1) << 1100);
     for (const Rational& length : {Rational(1), unit, huge}) {
         BoxQuestion question;

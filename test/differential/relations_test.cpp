@@ -75,7 +75,7 @@ constexpr std::uint64_t pairs_per_case = 18;
 /// All boxes of a case among all its polygons.
 void compare_case(const naive::BoxCase& question, std::uint64_t seed, const std::string& where, Tally& sum) {
     const Scene scene = library_scene(question.faces, seed % 4 < 2 ? Vertices::apart : Vertices::shared);
-    const auto source = make_candidates(scene, seed % 2 == 0 ? Source::all : Source::cgal);
+    const auto source = make_candidates(scene, seed % 2 == 0 ? Source::all : Source::tree);
     std::vector<naive::SceneItem> items = naive_scene(question.faces);
     for (PolygonId id = 0; id < scene.polygon_count(); ++id)
         if (!scene.polygon(id).valid) items[static_cast<std::size_t>(id)].polygon.refused = "by the library";

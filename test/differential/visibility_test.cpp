@@ -36,7 +36,7 @@ void compare_case(const naive::SegmentCase& question, std::uint64_t seed, Source
 
 TEST(VisibilityAgainstTwin, AdversarialSegments) {
     const Tally tally = run_cases(0, 10000 * length / 10, [](std::uint64_t seed, Tally& sum) {
-        compare_case(naive::segment_case(seed), seed, seed % 2 == 0 ? Source::all : Source::cgal,
+        compare_case(naive::segment_case(seed), seed, seed % 2 == 0 ? Source::all : Source::tree,
                      "segment case " + std::to_string(seed) + " of " + naive::to_text(naive::family_of(seed)), sum);
     });
     expect_no_difference(tally);
@@ -95,7 +95,7 @@ naive::SegmentCase thinner_than_an_ulp(std::uint64_t seed) {
 }
 
 TEST(VisibilityAgainstTwin, LimitsOfRange) {
-    const std::vector<Source> sources{Source::all, Source::cgal, Source::octree};
+    const std::vector<Source> sources{Source::all, Source::tree, Source::octree};
     const Tally tally = run_cases(0, 500 * length, [&](std::uint64_t seed, Tally& sum) {
         const naive::SegmentCase question = seed % 2 == 0 ? at_the_limit_of_range(seed) : thinner_than_an_ulp(seed);
         if (!question.faces.empty())

@@ -81,7 +81,7 @@ Work classify(cob::Meshing meshing) {
         if (!omissions(Omission::levels)) options.levels = cob::BufferLevels::polygon;
         options.apart = omissions(Omission::buffers);
         options.relations = options.questions = false;
-        const auto source = make_candidates(scene, omissions(Omission::tree) ? cob::Source::all : cob::Source::cgal);
+        const auto source = make_candidates(scene, omissions(Omission::tree) ? cob::Source::all : cob::Source::tree);
         cob::ElementClassifier classifier(elements, *source, options);
         cob::ClassifiedElement element;
         for (std::uint64_t k = 0; k < elements.size(); ++k) classifier(k, element);

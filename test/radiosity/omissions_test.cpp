@@ -63,7 +63,7 @@ std::string classified(const Scene& scene, const OmissionSet& keep) {
     omissions.apply_to(options.classify.buffer);
     if (!omissions(Omission::levels)) options.classify.levels = cob::BufferLevels::polygon;
     options.classify.apart = omissions(Omission::buffers);
-    const auto source = cob::make_candidates(scene, omissions(Omission::tree) ? cob::Source::all : cob::Source::cgal);
+    const auto source = cob::make_candidates(scene, omissions(Omission::tree) ? cob::Source::all : cob::Source::tree);
     classify_scene(elements, *source, folder.path(), options);
     std::string bytes;
     for (const char* name : {"states.csv", "relations.csv", "boxes.csv", "elements.ply"})
@@ -185,7 +185,7 @@ Scene sheets_over_floor(int count, double raised) {
 TEST(LeavingOut, ChangesNoByteUnderManyDetails) {
     const Scene scene = sheets_over_floor(9, 0x1p-10);
     const cob::Roots roots(scene);
-    const auto source = make_candidates(scene, cob::Source::cgal);
+    const auto source = make_candidates(scene, cob::Source::tree);
     cob::BufferBuilder builder(scene, roots, *source, {});
     const cob::CloseObjectBuffer floor = builder.build(cob::root_element(0));
     ASSERT_EQ(builder.polygons(floor).size(), 81u);

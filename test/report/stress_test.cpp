@@ -40,7 +40,7 @@ TEST(Stress, GeometryIsExactWherePlainArithmeticIsNot) {
 TEST(Stress, EveryAnswerOccurs) {
     const Scene scene = scene_of(stress::still_life());
     const stress::Questions questions = stress::ask(scene, 1, Rational(1, 8), Rational(1, 4), 40, 160);
-    const stress::Answers answers = answer(scene, questions, Arithmetic::exact, Source::cgal);
+    const stress::Answers answers = answer(scene, questions, Arithmetic::exact, Source::tree);
     for (const Relation relation :
          {Relation::disjoint, Relation::base, Relation::coplanar, Relation::boundary, Relation::crossing})
         EXPECT_TRUE(std::any_of(answers.relations.begin(), answers.relations.end(), [&](const BoxAnswer& a) {

@@ -64,7 +64,7 @@ TEST(VisibilityRandom, EveryExactArithmeticAndSourceAgree) {
         // Triangles in the odd cases: how polygons that are not planar are cut depends on how they are seen.
         const bool triangles = seed % 2 == 1;
         const std::vector<Loop> loops = random_scene(random, triangles ? 3 : 5);
-        const Asked asked(loops, Source::cgal, true), far(stretched(loops), Source::cgal, true);
+        const Asked asked(loops, Source::tree, true), far(stretched(loops), Source::tree, true);
         const auto all = make_candidates(asked.scene, Source::all);
         const VisibilityOracle unaided(asked.scene, *all);
         for (int k = 0; k < segments_of_a_scene; ++k) {
@@ -98,7 +98,7 @@ TEST(VisibilityRandom, TheWaysOfAskingAgree) {
     int hinted = 0, blockers = 0;
     for (int seed = 0; seed < scenes; ++seed) {
         Random random(static_cast<std::uint64_t>(seed) + 3000000);
-        const Asked asked(random_scene(random), Source::cgal, true);
+        const Asked asked(random_scene(random), Source::tree, true);
         if (asked.scene.pieces().empty()) continue;
         for (int k = 0; k < 10; ++k) {
             const PieceId a = random.integer(0, static_cast<int>(asked.scene.pieces().size()) - 1);

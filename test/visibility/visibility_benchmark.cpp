@@ -46,7 +46,7 @@ struct Subject {
         for (const Ends ends : {Ends::free_space, Ends::surface, Ends::vertices})
             segments[ends] = benchmark_segments(scene, ends, segment_count);
         pieces = std::make_unique<PieceTable>(scene);
-        for (const Source source : {Source::cgal, Source::embree}) {
+        for (const Source source : {Source::tree, Source::embree}) {
             if (!is_available(source)) continue;
             candidates[source] = make_candidates(scene, source);
             oracle[source] = std::make_unique<VisibilityOracle>(scene, *candidates[source]);
@@ -135,7 +135,7 @@ void embree_benchmark(benchmark::State& state, int triangles, Ends ends) {
     state.SetItemsProcessed(state.iterations());
     int missed = 0, invented = 0;
     for (const Segment& segment : s.segments[ends]) {
-        const Visibility answer = (*s.oracle[Source::cgal])(segment);
+        const Visibility answer = (*s.oracle[Source::tree])(segment);
         const bool hidden = embree.hidden(segment);
         missed += answer == Visibility::blocked && !hidden;
         invented += answer == Visibility::clear && hidden;
@@ -152,7 +152,7 @@ int wrong_answers(int triangles, Ends ends) {
     std::map<Visibility, int> answers;
     for (std::size_t k = 0; k < s.segments[ends].size(); k += 20) {
         const Segment& segment = s.segments[ends][k];
-        const Visibility answer = (*s.oracle[Source::cgal])(segment, Arithmetic::rational).visibility;
+        const Visibility answer = (*s.oracle[Source::tree])(segment, Arithmetic::rational).visibility;
         for (const auto& [source, oracle] : s.oracle) wrong += (*oracle)(segment) != answer;
         ++answers[answer];
         ++asked;
@@ -179,7 +179,7 @@ int main(int argc, char** argv) {
     for (const int triangles : sizes)
         for (const Ends ends : all_ends) {
             wrong += wrong_answers(triangles, ends);
-            for (const Source source : {Source::cgal, Source::embree}) {
+            for (const Source source : {Source::tree, Source::embree}) {
                 if (!is_available(source)) continue;
                 const std::string tree = std::string(" over ") + cob::to_text(source);
                 add("cob" + tree, triangles, ends,

@@ -1,4 +1,4 @@
-// What binary32 says of packets of pieces is certain: "missed" and "crossed" hold exactly, at every scale, an ulp
+// What binary32 says of the outlines of pieces is certain: "missed" and "crossed" hold exactly, at every scale, an ulp
 // beside every contact, and where binary32 and binary64 themselves end (SPEC 1, SPEC 6).
 #include "geometry/piece_tree.hpp"
 #include "geometry/visibility_oracle.hpp"
@@ -21,33 +21,32 @@ struct Counts {
     int missed = 0, crossed = 0, left = 0, touched = 0;
 };
 
-/// Every packet of the scene against the segment.
+/// Every outline of the scene against the segment.
 void check(const Scene& scene, const Segment& segment, Counts& counts, const std::string& name) {
-    const PieceTree tree = build_piece_tree(scene);
+    const PieceTree tree(scene);
+    ASSERT_EQ(tree.outlines().size(), scene.pieces().size());
     const NormalSegment normal = normalised(tree.normalisation(), segment.from.nearest(), segment.to.nearest());
     if (normal.kind != NormalSegment::Kind::within) return;
-    const PacketSegment prepared(normal);
+    const OutlineSegment prepared(normal);
     const PieceTable pieces(scene);
     PredicateCounters counters;
     const ExactSigns signs(pieces, segment, {&counters});
-    for (const PiecePacket& packet : tree.packets()) {
-        const PacketAnswer answer = certain(packet, prepared);
-        ASSERT_EQ(answer.crossed & ~answer.possible, 0u);
-        for (std::size_t lane = 0; lane < 4; ++lane) {
-            const PieceId piece = packet.pieces[lane];
-            unsigned fan = 0;
-            for (std::size_t other = 0; other < 4; ++other) fan |= (packet.pieces[other] == piece ? 1u : 0u) << other;
-            const Touch::Kind kind = touch(signs, piece).kind;
-            if ((answer.possible & fan) == 0) {
+    for (const PieceOutline& outline : tree.outlines()) {
+        const Touch::Kind kind = touch(signs, outline.piece).kind;
+        const std::string what = name + ", piece " + std::to_string(outline.piece);
+        switch (certain(outline, prepared)) {
+            case Certain::missed:
                 ++counts.missed;
-                ASSERT_EQ(static_cast<int>(kind), static_cast<int>(Touch::Kind::none)) << name << ", piece " << piece;
-            } else if ((answer.crossed & fan) != 0) {
+                ASSERT_EQ(static_cast<int>(kind), static_cast<int>(Touch::Kind::none)) << what;
+                break;
+            case Certain::crossed_inside:
                 ++counts.crossed;
-                ASSERT_EQ(static_cast<int>(kind), static_cast<int>(Touch::Kind::inside)) << name << ", piece " << piece;
-            } else {
+                ASSERT_EQ(static_cast<int>(kind), static_cast<int>(Touch::Kind::inside)) << what;
+                break;
+            case Certain::unknown:
                 ++counts.left;
                 counts.touched += kind != Touch::Kind::none;
-            }
+                break;
         }
     }
 }
@@ -86,7 +85,7 @@ void check_at(int exponent, double offset, int seed_base, Counts& counts) {
     }
 }
 
-TEST(Packets, WhatIsCertainIsSo) {
+TEST(Outlines, WhatIsCertainIsSo) {
     Counts counts;
     check_at(0, 0, 0, counts);
     check_at(-500, 0, 1000000, counts);
@@ -97,7 +96,7 @@ TEST(Packets, WhatIsCertainIsSo) {
     EXPECT_GT(counts.touched, 100);
 }
 
-TEST(Packets, NothingIsCertainWhereBinary32SeesNothing) {
+TEST(Outlines, NothingIsCertainWhereBinary32SeesNothing) {
     Counts subnormal;
     check_at(-1070, 0, 3000000, subnormal);
     EXPECT_EQ(subnormal.crossed, 0);
@@ -107,7 +106,7 @@ TEST(Packets, NothingIsCertainWhereBinary32SeesNothing) {
     EXPECT_GT(subnormal.left + far_away.left, 1000);
 }
 
-TEST(Packets, WhatIsCertainIsSoFarFromTheOrigin) {
+TEST(Outlines, WhatIsCertainIsSoFarFromTheOrigin) {
     Counts counts;
     check_at(0, 0x1p20, 5000000, counts);
     check_at(-30, 0x1p31, 6000000, counts);
@@ -116,7 +115,7 @@ TEST(Packets, WhatIsCertainIsSoFarFromTheOrigin) {
 }
 
 // Short segments beside large triangles: the line's direction is known badly.
-TEST(Packets, ShortSegments) {
+TEST(Outlines, ShortSegments) {
     Counts counts;
     const Scene scene =
         scene_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}, Vertices::shared);

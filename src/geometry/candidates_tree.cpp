@@ -1,5 +1,5 @@
-// CGAL's AABB tree, with bounds and traversal of our own: CGAL's would construct primitives and intersect them, where
-// only names are wanted. For segments it is copied into a flat tree.
+// CGAL's AABB tree of polygons for boxes, with bounds and traversal of our own: CGAL's would construct primitives and
+// intersect them, where only names are wanted. For segments, a flat tree of pieces.
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
-/// A polygon or a piece, by its number.
+/// A polygon, by its number.
 struct NumberedPrimitive {
     using Id = std::int32_t;
     using Point = Kernel::Point_3;
@@ -119,36 +119,10 @@ private:
     bool going_ = true;
 };
 
-/// A part of a tree: a node with everything below it, or a primitive alone.
-struct Subtree {
-    const CGAL::AABB_node<TreeTraits>* node = nullptr;
-    std::int32_t id = -1;  ///< Of the primitive, where there is no node.
-    std::size_t size = 1;  ///< Primitives.
-};
-
-/// Takes the two halves of a node from a walk that goes no deeper.
-class TakeHalves {
-public:
-    explicit TakeHalves(std::size_t size) : sizes_{size / 2, size - size / 2} {}
-    bool go_further() const { return true; }
-    void intersection(int, const NumberedPrimitive& primitive) { halves_[count_++] = {nullptr, primitive.id(), 1}; }
-    bool do_intersect(int, const CGAL::AABB_node<TreeTraits>& node) {
-        halves_[count_] = {&node, -1, sizes_[count_]};
-        ++count_;
-        return false;
-    }
-    const std::array<Subtree, 2>& halves() const { return halves_; }
-
-private:
-    std::array<std::size_t, 2> sizes_;
-    std::array<Subtree, 2> halves_;
-    std::size_t count_ = 0;
-};
-
 /// One tree of polygons for boxes, one of pieces for segments, each built when it is first asked.
-class CgalCandidates final : public CandidateSource {
+class TreeCandidates final : public CandidateSource {
 public:
-    explicit CgalCandidates(const Scene& scene) : scene_(scene) {}
+    explicit TreeCandidates(const Scene& scene) : scene_(scene) {}
 
     void polygons_in(const std::array<double, 6>& bounds, Callback callback) const override {
         std::call_once(polygons_built_, [this] { build_polygons(); });
@@ -159,7 +133,7 @@ public:
     }
 
     void pieces_along(const Point& from, const Point& to, PieceCallback callback) const override {
-        std::call_once(pieces_built_, [this] { pieces_.emplace(build_piece_tree(scene_)); });
+        std::call_once(pieces_built_, [this] { pieces_.emplace(scene_); });
         pieces_->walk(from, to, callback);
     }
 
@@ -189,100 +163,10 @@ private:
     mutable std::optional<PieceTree> pieces_;
 };
 
-/// Copies CGAL's binary tree of pieces into a flat one: every other level goes, and what fits a packet becomes one.
-class Flattening {
-public:
-    Flattening(const Scene& scene, const std::vector<Bounds>& bounds, const Normalisation& normalise,
-               LargeVector<PieceTreeNode>& nodes, LargeVector<PiecePacket>& packets)
-        : scene_(scene), bounds_(bounds), normalise_(normalise), nodes_(nodes), packets_(packets) {}
-
-    void run(const Tree& tree) {
-        nodes_.emplace_back();
-        if (tree.size() == 1) {
-            fill(0, {{nullptr, 0, 1}});
-            return;
-        }
-        TakeHalves take(tree.size());
-        tree.traversal(0, take);
-        fill(0, {take.halves()[0], take.halves()[1]});
-    }
-
-private:
-    static std::array<Subtree, 2> halves(const Subtree& subtree) {
-        TakeHalves take(subtree.size);
-        subtree.node->traversal(0, take, subtree.size);
-        return take.halves();
-    }
-    void collect(const Subtree& subtree, std::vector<PieceId>& ids) const {
-        if (!subtree.node) return ids.push_back(subtree.id);
-        for (const Subtree& half : halves(subtree)) collect(half, ids);
-    }
-    /// The pieces of a subtree where they fit one packet; else nothing.
-    std::vector<PieceId> fitting(const Subtree& subtree) const {
-        std::vector<PieceId> ids;
-        if (subtree.size > 4) return ids;
-        collect(subtree, ids);
-        int lanes = 0;
-        for (const PieceId id : ids) lanes += PiecePacket::lanes_of(scene_.piece(id));
-        if (lanes > 4) ids.clear();
-        return ids;
-    }
-    /// Makes the node of these subtrees, with two levels in one; returns its bounds.
-    Bounds fill(std::size_t node, const std::vector<Subtree>& parts) {
-        std::vector<Subtree> children;
-        for (const Subtree& part : parts) {
-            if (!fitting(part).empty())
-                children.push_back(part);
-            else
-                for (const Subtree& half : halves(part)) children.push_back(half);
-        }
-        Bounds all;
-        for (std::size_t lane = 0; lane < children.size(); ++lane) {
-            Bounds bounds;
-            std::int32_t child;
-            const std::vector<PieceId> ids = fitting(children[lane]);
-            if (ids.empty()) {
-                child = static_cast<std::int32_t>(nodes_.size());
-                nodes_.emplace_back();
-                const std::array<Subtree, 2> two = halves(children[lane]);
-                bounds = fill(static_cast<std::size_t>(child), {two[0], two[1]});
-            } else {
-                child = ~static_cast<std::int32_t>(packets_.size());
-                packets_.emplace_back(scene_, ids, normalise_);
-                for (const PieceId id : ids) bounds.add(bounds_[static_cast<std::size_t>(id)]);
-            }
-            nodes_[node].set(lane, bounds, normalise_, child);
-            all.add(bounds);
-        }
-        return all;
-    }
-
-    const Scene& scene_;
-    const std::vector<Bounds>& bounds_;
-    const Normalisation& normalise_;
-    LargeVector<PieceTreeNode>& nodes_;
-    LargeVector<PiecePacket>& packets_;
-};
-
 }  // namespace
 
-PieceTree build_piece_tree(const Scene& scene) {
-    PieceTree result(scene);
-    std::vector<std::int32_t> ids(scene.pieces().size());
-    std::vector<Bounds> bounds(ids.size());
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        ids[k] = static_cast<std::int32_t>(k);
-        bounds[k] = bounds_of(scene, scene.corners(scene.pieces()[k]));
-    }
-    if (ids.empty()) return result;
-    Flattening(scene, bounds, result.normalisation_, result.nodes_, result.packets_).run(build(ids, bounds));
-    result.nodes_.shrink_to_fit();
-    result.packets_.shrink_to_fit();
-    return result;
-}
-
-std::unique_ptr<CandidateSource> make_cgal_candidates(const Scene& scene) {
-    return std::make_unique<CgalCandidates>(scene);
+std::unique_ptr<CandidateSource> make_tree_candidates(const Scene& scene) {
+    return std::make_unique<TreeCandidates>(scene);
 }
 
 }  // namespace cob
