@@ -56,6 +56,7 @@ void run(const Arguments& arguments) {
     say_plan(matrix.plan(pairs, terminal_progress("shafts")));
     // Opened before the work: a folder that is not writable is told now.
     const TablePath path(arguments.out, table_name<FormFactorRow>());
+    refuse_overwriting(path(), {arguments.scene.path});
     TableWriter<FormFactorRow> table(path());
     const FormFactorResult result = matrix.compute(terminal_progress("form factors"));
 

@@ -41,6 +41,7 @@ void print(const SnapReport& report, const GoldenParameters& parameters) {
 }
 
 void run(Arguments& arguments) {
+    refuse_overwriting(arguments.folder + "/scene.obj", {arguments.scene});
     arguments.parameters.boxes = !arguments.no_boxes;
     if (!arguments.shard.empty()) parse_shard(arguments.shard, arguments.options);
     std::istringstream words(arguments.kinds);

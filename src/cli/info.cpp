@@ -20,6 +20,7 @@ void run_info(const InfoArguments& arguments) {
     // Invalid polygons are part of the answer here, so they never end it.
     ReadReport read;
     const std::string& path = arguments.scene.path;
+    refuse_overwriting(arguments.json, {path});
     const Scene scene = read_obj(path, {true, arguments.scene.emission == "radiance"}, &read);
     const Census census = take_census(scene);
     const std::vector<PolygonId> decimal = planar_as_decimal(scene, path);

@@ -29,6 +29,7 @@ void run(const Arguments& arguments) {
                      cost.seconds);
     };
     const TablePath table(arguments.out, table_name<IrradianceRow>());
+    refuse_overwriting(table(), {arguments.scene.path, arguments.points});
     const IrradianceTableResult result = write_irradiance(scene, *candidates, arguments.points, table(), options);
     std::printf("%llu rows, %llu of them obstructed in part, %llu wholly\n",
                 static_cast<unsigned long long>(result.rows), static_cast<unsigned long long>(result.partly),

@@ -5,13 +5,24 @@
 
 #include "cob/error.hpp"
 
+#include <fcntl.h>
+#include <gmp.h>
+#include <unistd.h>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
+
+constexpr const char* out_of_memory = "cob: out of memory: use a smaller scene, fewer elements or fewer threads\n";
 
 /// What is no option stands for a command.
 void refuse_unknown_command(const CLI::App& app, const std::string& word) {
@@ -42,9 +53,32 @@ std::vector<std::string> words_of(int argc, char** argv) {
     return words;
 }
 
+[[noreturn]] void end_without_memory() {
+    std::fputs(out_of_memory, stderr);
+    std::_Exit(2);
+}
+
+/// GMP would abort. It is C: no exception may pass through it.
+void end_where_gmp_has_no_memory() {
+    ::mp_set_memory_functions(
+        [](std::size_t size) {
+            void* block = std::malloc(size);
+            if (block == nullptr) end_without_memory();
+            return block;
+        },
+        [](void* old, std::size_t, std::size_t size) {
+            void* block = std::realloc(old, size);
+            if (block == nullptr) end_without_memory();
+            return block;
+        },
+        nullptr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // files that may not grow are full disks: what is begun is removed
+    end_where_gmp_has_no_memory();
     CLI::App app{"cob: the exact reference for the Close Object Buffer", "cob"};
     app.require_subcommand(1);
     app.option_defaults()->always_capture_default();
@@ -64,6 +98,10 @@ int main(int argc, char** argv) {
     try {
         if (argc > 1 && *argv[1] != '\0') refuse_unknown_command(app, argv[1]);
         app.parse(words_of(argc, argv));
+        const bool unwritten = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+        if (unwritten && ::fcntl(STDOUT_FILENO, F_GETFD) >= 0)  // closed on purpose: nobody wants it
+            throw cob::InputError("cannot write standard output",
+                                  {"", 0, std::strerror(errno), "send it where there is room"});
         return 0;
     } catch (const CLI::ParseError& error) {
         const bool is_refused = error.get_exit_code() != 0 && error.get_name() != "RuntimeError";
@@ -77,9 +115,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "cob: interrupted\n");
         return 130;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "cob: out of memory: use a smaller scene, fewer elements or fewer threads\n");
+        std::fputs(out_of_memory, stderr);
         return 2;
     } catch (const std::exception& error) {
+        const auto* system = dynamic_cast<const std::system_error*>(&error);
+        if (system && system->code() == std::errc::resource_unavailable_try_again) {
+            std::fprintf(stderr, "cob: cannot start a thread: use fewer threads, or give more memory\n");
+            return 2;
+        }
         std::fprintf(stderr, "cob: internal error: %s\n", error.what());
         return 70;
     }

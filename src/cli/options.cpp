@@ -42,6 +42,14 @@ Scene SceneOptions::read() const {
     return scene;
 }
 
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        std::error_code missing;
+        if (std::filesystem::equivalent(output, input, missing))
+            throw InputError("output would overwrite an input", {output, 0, "", "choose another file or folder"});
+    }
+}
+
 TablePath::TablePath(const std::string& out, const std::string& name) : path_(out) {
     const std::string ending = ".csv";
     if (out.size() > ending.size() && out.compare(out.size() - ending.size(), ending.size(), ending) == 0) {

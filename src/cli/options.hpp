@@ -14,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cob::cli {
 
@@ -103,6 +104,9 @@ private:
     std::string path_;
     std::optional<OutputFolder> folder_;
 };
+
+/// Refuses an output file that is one of the files that the command reads.
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
 
 /// --threads
 void add_threads(CLI::App& command, int& threads);

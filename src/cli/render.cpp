@@ -95,8 +95,8 @@ std::optional<report::ExitanceLine> line_of(const RadiositySolver& solver, const
 }
 
 void write_all(const RadiositySolver& solver, const Arguments& arguments, const report::Camera& camera,
-               const std::optional<report::ExitanceLine>& line, report::RunFigures figures,
-               std::chrono::steady_clock::time_point begin) {
+               const std::optional<report::ExitanceLine>& line, const std::optional<report::Image>& beside,
+               report::RunFigures figures, std::chrono::steady_clock::time_point begin) {
     const auto seconds_since = [](std::chrono::steady_clock::time_point t) {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
     };
@@ -112,9 +112,7 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
     write_file(base + "picture.png", report::encode_png(pictures.plain));
     write_file(base + "mesh.png", report::encode_png(pictures.mesh));
     write_file(base + "states.png", report::encode_png(pictures.states));
-    if (!arguments.beside.empty())
-        write_file(base + "beside.png",
-                   report::encode_png(report::beside(report::decode_png(arguments.beside), pictures.plain)));
+    if (beside) write_file(base + "beside.png", report::encode_png(report::beside(*beside, pictures.plain)));
     if (line) line->write(base + "line");
     write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
@@ -131,6 +129,9 @@ void run(const Arguments& arguments) {
     const report::Camera camera = camera_of(arguments, scene);
     report::Frame(report::in_units(camera, radiosity::unit_exponent(scene)), arguments.picture.width,
                   arguments.picture.height);  // refuses before the work, not after
+    // Read now: it may be the picture that this run replaces.
+    std::optional<report::Image> beside;
+    if (!arguments.beside.empty()) beside = report::decode_png(arguments.beside);
     const OutputFolder created(arguments.folder);
 
     RadiositySolver solver(scene, solver_options(arguments));
@@ -164,7 +165,7 @@ void run(const Arguments& arguments) {
         figures.ended_by = "interrupt";
     }
     if (!arguments.checkpoint.empty()) write_file(arguments.checkpoint, solver.checkpoint());
-    write_all(solver, arguments, camera, line, figures, begin);
+    write_all(solver, arguments, camera, line, beside, figures, begin);
     if (figures.interrupted) throw Interrupted();
 }
 

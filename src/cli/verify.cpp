@@ -36,6 +36,8 @@ std::vector<verify::Relation> parse_hits(const std::string& text) {
 }
 
 void run(Arguments& arguments) {
+    if (!arguments.json.empty() && arguments.json == arguments.junit)
+        throw InputError("--json and --junit are one file", {"", 0, arguments.json, "choose two"});
     arguments.options.hit = parse_hits(arguments.hit);
     if (arguments.band <= 52) arguments.options.near_band = arguments.band;
 

@@ -97,8 +97,7 @@ private:
             outlines_.emplace_back(scene_, id, *normalisation_);
         }
 
-        device_.reset(rtcNewDevice(nullptr));
-        if (!device_) throw InputError("Embree cannot start here", {"", 0, "", "choose another source of candidates"});
+        device_ = new_embree_device(nullptr);
         count_bytes(device_.get(), bytes_);
         const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(bounds.size()));

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "cob/arithmetic.hpp"
+#include "cob/error.hpp"
 
 #include <embree3/rtcore.h>
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <new>
 
 namespace cob {
 
@@ -21,6 +23,20 @@ struct ReleaseWith {
 };
 using EmbreeDevice = std::unique_ptr<RTCDeviceTy, ReleaseWith<rtcReleaseDevice>>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, ReleaseWith<rtcReleaseScene>>;
+
+/// Throws InputError where Embree does not start.
+inline EmbreeDevice new_embree_device(const char* configuration) {
+    EmbreeDevice device(rtcNewDevice(configuration));
+    if (!device)
+        throw InputError("Embree cannot start here",
+                         {"", 0, "", "give it more memory, or choose what needs no Embree"});
+    return device;
+}
+
+/// Throws std::bad_alloc where something has failed since the last call; nothing else is left to fail.
+inline void check_for_errors(RTCDevice device) {
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
 
 /// Counts the bytes that a device holds; must outlive it.
 inline void count_bytes(RTCDevice device, std::atomic<std::int64_t>& bytes) {

@@ -27,7 +27,7 @@ struct EmbreeTriangles::Implementation {
 };
 
 void EmbreeTriangles::Implementation::build(const Scene& of) {
-    device.reset(rtcNewDevice("threads=1"));
+    device = new_embree_device("threads=1");
     count_bytes(device.get(), bytes);
     std::vector<std::uint32_t> corners;
     for (PieceId id = 0; id < static_cast<PieceId>(of.pieces().size()); ++id) {
@@ -40,10 +40,12 @@ void EmbreeTriangles::Implementation::build(const Scene& of) {
     const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* position = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                  3 * sizeof(float), of.positions().size()));
+    check_for_errors(device.get());
     for (const Point& p : of.positions())
         for (int axis = 0; axis < 3; ++axis) *position++ = static_cast<float>(p[axis]);
     auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), pieces.size()));
+    check_for_errors(device.get());
     for (const std::uint32_t corner : corners) *index++ = corner;
     rtcCommitGeometry(geometry);
     scene.reset(rtcNewScene(device.get()));
@@ -51,6 +53,7 @@ void EmbreeTriangles::Implementation::build(const Scene& of) {
     rtcAttachGeometry(scene.get(), geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene.get());
+    check_for_errors(device.get());
 }
 
 // On a thread of its own: Embree builds with subnormal numbers flushed to zero, and where it is the first to use oneTBB

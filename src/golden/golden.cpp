@@ -150,9 +150,9 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     const Plan plan{questions.box_count(), questions.segment_count(), options.shard_size};
     GoldenResult result{plan.boxes, plan.segments, plan.count(), 0, false, snapped.report};
 
-    create_folder(folder);
     if (finished_before(folder, parameters, text)) {
-        std::filesystem::remove_all(folder + "/shards");
+        std::error_code ignored;
+        std::filesystem::remove_all(folder + "/shards", ignored);
         result.finished = true;
         return result;
     }
@@ -161,6 +161,7 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     std::map<std::string, std::string> identity = to_text(parameters);
     identity["scene"] = sha256(text.obj + text.mtl);
     identity["shard_size"] = std::to_string(options.shard_size);
+    const OutputFolder created(folder + "/shards");
     const Shards shards(folder, identity);
     for (const std::string& other : options.merge) shards.take_from(other, plan.count());
     const ShardMaker maker(scene, *candidates, questions);

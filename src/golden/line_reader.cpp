@@ -56,6 +56,7 @@ bool LineReader::next(std::string_view& line) {
             begin_ += count + 1;
             if (count > 0 && begin[count - 1] == '\r') --count;
             line = std::string_view(begin, count);
+            if (line_number_ == 1 && line.substr(0, 3) == "\xef\xbb\xbf") line.remove_prefix(3);  // spreadsheets' mark
             return true;
         }
         searched = length;

@@ -75,7 +75,8 @@ TEST(Commands, FailedWorkLeavesNoFolder) {
     for (const std::string& arguments :
          {"study " + folder / "missing.obj", "study " + folder / "dark.obj --picture-shots 0",
           "study --claims --data " + folder / "missing", "bench " + folder / "missing", "render " + folder / "dark.obj",
-          "render " + figure2 + " --line 100 100 0 101 100 0"}) {
+          "render " + figure2 + " --line 100 100 0 101 100 0",
+          "golden " + figure2 + " --merge " + folder / "missing"}) {
         const auto run = run_program(arguments + out);
         EXPECT_EQ(run.code, 2) << arguments << ": " << run.error;
         EXPECT_FALSE(std::filesystem::exists(folder / "out")) << arguments;
@@ -154,6 +155,81 @@ TEST(Commands, FoldersOfTablesAreCreated) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(run_program("formfactors " + figure2 + " -o " + folder / "new/F.csv").code, 0);
     EXPECT_EQ(test::files_in(folder / "new"), std::set<std::string>{"F.csv"});
+}
+
+// A quota is a full disk: one line, no part of a file, and no end by a signal.
+TEST(Commands, FilesThatMayNotGrow) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "points.csv", "point,x,y,z,nx,ny,nz\n0,0,0,0,0,0,1\n");
+    const std::string out = " -o " + folder / "out";
+    for (const std::string& arguments :
+         {"classify " + figure2 + out, "golden " + figure2 + out, "formfactors " + figure2 + out,
+          "irradiance " + figure2 + " " + folder / "points.csv" + out, "info " + figure2 + " --json " + folder / "info",
+          "render " + figure2 + " --shots 1 --width 16 --picture-height 16 --antialias 1" + out}) {
+        // Through a pipe: what it prints must not meet the quota, too.
+        const auto run =
+            test::run_shell("{ ulimit -f 0; " COB_PROGRAM " " + arguments + " 2>&1; echo code $?; } | cat");
+        EXPECT_NE(run.out.find("code 2"), std::string::npos) << arguments << run.out;
+        EXPECT_NE(run.out.find("cannot write 'File too large'"), std::string::npos) << arguments << run.out;
+        EXPECT_EQ(test::files_in(folder.path()), std::set<std::string>{"points.csv"}) << arguments;
+    }
+}
+
+// What a command reads it does not write over.
+TEST(Commands, InputsAreNotOverwritten) {
+    const test::TemporaryFolder folder;
+    for (const char* ending : {".obj", ".mtl"})
+        std::filesystem::copy(COB_DATA "/figure2" + std::string(ending), folder / ("figure2" + std::string(ending)));
+    std::filesystem::copy(COB_DATA "/figure2.obj", folder / "scene.obj");
+    std::filesystem::copy(COB_DATA "/figure2.obj", folder / "scene.csv");
+    write_file(folder / "points.csv", "point,x,y,z,nx,ny,nz\n0,0,0,0,0,0,1\n");
+    std::filesystem::create_symlink("points.csv", folder / "link.csv");
+    const auto before = test::bytes_of(folder.path());
+    const std::string scene = folder / "scene.obj", points = folder / "points.csv";
+    for (const std::string& arguments :
+         {"info " + scene + " --json " + folder / "../" + std::filesystem::path(folder.path()).filename().string() +
+              "/scene.obj",
+          "golden " + scene + " -o " + folder.path(), "irradiance " + scene + " " + points + " -o " + points,
+          "irradiance " + scene + " " + points + " -o " + folder / "link.csv",
+          "formfactors " + folder / "scene.csv" + " -o " + folder / "scene.csv"}) {
+        const auto run = run_program(arguments);
+        EXPECT_EQ(run.code, 2) << arguments;
+        EXPECT_NE(run.error.find("would overwrite an input"), std::string::npos) << arguments << run.error;
+        EXPECT_EQ(test::bytes_of(folder.path()), before) << arguments;
+    }
+}
+
+// The picture that stands beside is the one there was, also where this run replaces it.
+TEST(Commands, ThePictureBesideIsReadFirst) {
+    const test::TemporaryFolder folder;
+    const auto render = [&](const std::string& options) {
+        const auto run =
+            run_program("render " + figure2 + " --shots 1 --width 16 --picture-height 16 --antialias 1 " + options);
+        ASSERT_EQ(run.code, 0) << run.error;
+    };
+    render("--exposure 9 -o " + folder / "a");
+    std::filesystem::copy(folder / "a/picture.png", folder / "before.png");
+    render("--beside " + folder / "before.png" + " -o " + folder / "b");
+    render("--beside " + folder / "a/picture.png" + " -o " + folder / "a");
+    EXPECT_NE(read_file(folder / "before.png"), read_file(folder / "b/picture.png"));
+    EXPECT_EQ(read_file(folder / "a/beside.png"), read_file(folder / "b/beside.png"));
+    write_file(folder / "no.png", "no picture");
+    EXPECT_EQ(run_program("render " + figure2 + " --beside " + folder / "no.png" + " -o " + folder / "c").code, 2);
+    EXPECT_FALSE(exists(folder / "c"));
+}
+
+// The mark that spreadsheets put before UTF-8.
+TEST(Commands, TablesMayBeginWithAByteOrderMark) {
+    const test::TemporaryFolder folder;
+    const std::string set = COB_DATA "/golden/side", mark = "\xef\xbb\xbf";
+    write_file(folder / "points.csv", mark + "point,x,y,z,nx,ny,nz\r\n0,0,0,0,0,0,1\r\n");
+    EXPECT_EQ(run_program("irradiance " + figure2 + " " + folder / "points.csv" + " -o " + folder / "out").code, 0);
+    write_file(folder / "relations.csv", mark + read_file(set + "/relations.csv"));
+    EXPECT_EQ(run_program("verify " + set + " " + folder.path()).code, 0);
+    write_file(folder / "relations.csv", "box,\x1b[31m" + std::string(1, '\0') + ",close\n");
+    const auto run = run_program("verify " + set + " " + folder.path());
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.error.find("'box,?[31m?,close': expected box,polygon,relation"), std::string::npos) << run.error;
 }
 
 }  // namespace

@@ -101,8 +101,11 @@ public:
     }
 
     [[noreturn]] void fail(const std::string& problem, const std::string& value, const std::string& remedy) const {
-        throw Error(path_ + ":" + std::to_string(number_) + ": " + problem +
-                    (value.empty() ? "" : " '" + value.substr(0, 60) + "'") + ": " + remedy);
+        std::string shown = value.substr(0, 60);
+        for (char& c : shown)
+            if (static_cast<unsigned char>(c) < 0x20) c = '?';
+        throw Error(path_ + ":" + std::to_string(number_) + ": " + problem + (value.empty() ? "" : " '" + shown + "'") +
+                    ": " + remedy);
     }
 
 private:
@@ -116,6 +119,7 @@ private:
                 if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
                 begin_ += length + 1;
                 ++number_;
+                if (number_ == 1 && line_.substr(0, 3) == "\xef\xbb\xbf") line_.remove_prefix(3);  // spreadsheets' mark
                 return true;
             }
             if (!fill()) {
