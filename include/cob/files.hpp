@@ -31,7 +31,7 @@ private:
 };
 
 /// A folder for results, created with its parents where it is missing. What it created and nothing was put into, it
-/// removes when it ends: work that fails leaves no trace.
+/// removes when it ends: work that fails leaves no trace. Throws InputError where it cannot be created or written into.
 class OutputFolder {
 public:
     explicit OutputFolder(const std::string& path);
@@ -40,6 +40,7 @@ public:
     OutputFolder& operator=(const OutputFolder&) = delete;
 
 private:
+    void remove_created();
     std::vector<std::string> created_;  ///< Innermost first.
 };
 

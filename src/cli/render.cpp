@@ -94,6 +94,15 @@ std::optional<report::ExitanceLine> line_of(const RadiositySolver& solver, const
                                          arguments.options.threads});
 }
 
+void resume(RadiositySolver& solver, const std::string& path) {
+    const std::string text = read_file(path);
+    try {
+        solver.resume(text);
+    } catch (const InputError& error) {
+        throw InputError(path + ": " + error.what());
+    }
+}
+
 void write_all(const RadiositySolver& solver, const Arguments& arguments, const report::Camera& camera,
                const std::optional<report::ExitanceLine>& line, const std::optional<report::Image>& beside,
                report::RunFigures figures, std::chrono::steady_clock::time_point begin) {
@@ -136,7 +145,7 @@ void run(const Arguments& arguments) {
 
     RadiositySolver solver(scene, solver_options(arguments));
     const std::optional<report::ExitanceLine> line = line_of(solver, arguments);
-    if (!arguments.checkpoint.empty() && exists(arguments.checkpoint)) solver.resume(read_file(arguments.checkpoint));
+    if (!arguments.checkpoint.empty() && exists(arguments.checkpoint)) resume(solver, arguments.checkpoint);
 
     // The run: one shot after the other. Ctrl-C ends it after the current one, and what there is is written.
     const Progress progress = terminal_progress("unshot flux shot");

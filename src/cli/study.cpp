@@ -49,6 +49,14 @@ struct StudyCommand {
         return folder + "/runs/" + hash.finish().substr(0, 16);
     }
 
+    /// Nothing where the line is cut off: the last number of a part of it would be another.
+    static std::optional<StudyRun> kept_run(const std::string& file, const StudySettings& settings) {
+        std::string line = read_file(file);
+        if (line.empty() || line.back() != '\n') return std::nullopt;
+        line.pop_back();
+        return study_run_from_line(line, settings);
+    }
+
     void run_study() const {
         const Scene read_scene = scene.read();
         report::StudyResults results;
@@ -79,10 +87,10 @@ struct StudyCommand {
         for (const StudySettings& settings : plan) {
             const std::string file = runs + "/" + settings.key() + ".csv";
             std::optional<StudyRun> run;
-            if (exists(file)) run = study_run_from_line(read_file(file), settings);
+            if (exists(file)) run = kept_run(file, settings);
             if (!run) {
                 run = study_run(read_scene, results.reference, settings, repeats, threads, alive);
-                write_file(file, to_line(*run));
+                write_file(file, to_line(*run) + "\n");
             }
             results.runs.push_back(*run);
             alive(0, 0);

@@ -16,6 +16,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +92,8 @@ void merge(const Shards& shards, std::uint64_t count, const std::string& folder,
     for (const Manifest& part : parts)
         for (const auto& [name, value] : part.counts) manifest.counts[name] += value;
 
-    // Made aside, so that a kill leaves nothing behind in the set.
-    const std::string aside = shards.folder() + "/merged";
+    // Made aside, so that a kill leaves nothing behind in the set; and each process for itself.
+    const std::string aside = shards.folder() + "/merged" + std::to_string(::getpid());
     create_folder(aside);
     write_file(aside + "/scene.obj", text.obj);
     write_file(aside + "/scene.mtl", text.mtl);
@@ -128,6 +129,28 @@ bool finished_before(const std::string& folder, const GoldenParameters& paramete
     return true;
 }
 
+/// Makes those shards that are missing and asked for, each from nothing but its range. Whether all are there now.
+bool make_shards(const Shards& shards, const ShardMaker& maker, const Plan& plan, const GoldenOptions& options,
+                 std::uint64_t& made_now) {
+    bool finished = true;
+    std::future<void> writing;  // the shard before, while the next one is made
+    for (std::uint64_t shard = 0; shard < plan.count(); ++shard) {
+        if (options.progress) options.progress(shard, plan.count());
+        if (shards.has(shard)) continue;
+        if (shard % options.shards != options.shard % options.shards) {
+            finished = false;
+            continue;
+        }
+        ShardMaker::Shard made = maker.make(plan.range(shard));
+        if (writing.valid()) writing.get();
+        writing = std::async(std::launch::async,
+                             [&shards, shard, made = std::move(made)] { shards.put(shard, made.tables, made.counts); });
+        ++made_now;
+    }
+    if (writing.valid()) writing.get();
+    return finished;
+}
+
 }  // namespace
 
 GoldenResult make_golden(const std::string& scene_path, const std::string& folder, const GoldenParameters& parameters,
@@ -157,7 +180,7 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
         return result;
     }
 
-    // Shards, each from nothing but its range.
+    // Shards, then the set.
     std::map<std::string, std::string> identity = to_text(parameters);
     identity["scene"] = sha256(text.obj + text.mtl);
     identity["shard_size"] = std::to_string(options.shard_size);
@@ -165,23 +188,15 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     const Shards shards(folder, identity);
     for (const std::string& other : options.merge) shards.take_from(other, plan.count());
     const ShardMaker maker(scene, *candidates, questions);
-    result.finished = true;
-    std::future<void> writing;  // the shard before, while the next one is made
-    for (std::uint64_t shard = 0; shard < plan.count(); ++shard) {
-        if (options.progress) options.progress(shard, plan.count());
-        if (shards.has(shard)) continue;
-        if (shard % options.shards != options.shard % options.shards) {
-            result.finished = false;
-            continue;
-        }
-        ShardMaker::Shard made = maker.make(plan.range(shard));
-        if (writing.valid()) writing.get();
-        writing = std::async(std::launch::async,
-                             [&shards, shard, made = std::move(made)] { shards.put(shard, made.tables, made.counts); });
-        ++result.made;
+    try {
+        result.finished = make_shards(shards, maker, plan, options, result.made);
+        if (result.finished) merge(shards, plan.count(), folder, text, parameters);
+    } catch (const InputError&) {
+        // Another process may have finished the set meanwhile, and removed the shards.
+        if (!finished_before(folder, parameters, text)) throw;
+        shards.remove_all();
+        result.finished = true;
     }
-    if (writing.valid()) writing.get();
-    if (result.finished) merge(shards, plan.count(), folder, text, parameters);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include "cob/arithmetic.hpp"
 #include "cob/files.hpp"
 
+#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -46,15 +47,26 @@ bool run_gnuplot(const std::string& script_path) {
     return std::system(("gnuplot " + shell_quoted(script_path) + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// A file beside the plot that nobody else writes, removed at the end.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const std::string& path) : path_(path + ".tmp" + std::to_string(::getpid())) {}
+    ~TemporaryFile() { std::remove(path_.c_str()); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
 bool draw_one(const Plot& plot, const std::string& terminal, const std::string& path) {
     // A script file rather than a pipe: where gnuplot is missing, writing to it would be a signal, not an error.
-    const std::string temporary = path + ".tmp", script = path + ".gnuplot.tmp";
-    write_file(script, gnuplot_script(plot, terminal, temporary));
-    const bool drawn = run_gnuplot(script);
-    if (drawn) write_file(path, read_file(temporary));
-    std::remove(script.c_str());
-    std::remove(temporary.c_str());
-    return drawn;
+    const TemporaryFile drawing(path + ".drawing"), script(path + ".gnuplot");
+    write_file(script.path(), gnuplot_script(plot, terminal, drawing.path()));
+    if (!run_gnuplot(script.path()) || !exists(drawing.path())) return false;
+    write_file(path, read_file(drawing.path()));
+    return true;
 }
 
 }  // namespace

@@ -190,10 +190,14 @@ std::optional<StudyRun> study_run_from_line(const std::string& line, const Study
     std::istringstream cells(rest);
     for (std::string cell; std::getline(cells, cell, ',');) {
         const std::optional<double> value = parse_binary64(cell);
-        if (!value) return std::nullopt;
+        if (!value || *value < 0) return std::nullopt;
         values.push_back(*value);
     }
     if (values.size() != (banded ? 18 : 15)) return std::nullopt;
+    constexpr std::size_t counts = 6;
+    constexpr double most_counted = 1e18;
+    for (std::size_t k = 0; k < counts; ++k)
+        if (values[k] > most_counted || values[k] != std::floor(values[k])) return std::nullopt;
     std::size_t next = 0;
     for (std::int64_t* count : {&run.elements, &run.shots, &run.segments, &run.form_factors, &run.buffers})
         *count = static_cast<std::int64_t>(values[next++]);

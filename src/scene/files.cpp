@@ -82,10 +82,22 @@ OutputFolder::OutputFolder(const std::string& path) {
     const std::filesystem::path whole = std::filesystem::path(path).lexically_normal();
     for (std::filesystem::path p = whole; !p.empty() && !exists(p.string()); p = p.parent_path())
         created_.push_back(p.string());
-    create_folder(path);
+    try {
+        create_folder(path);
+        // Told now, not after the work.
+        if (::access(path.c_str(), W_OK | X_OK) != 0)
+            throw InputError("cannot write into folder", {path, 0, std::strerror(errno), "choose another"});
+    } catch (...) {
+        remove_created();
+        throw;
+    }
 }
 
 OutputFolder::~OutputFolder() {
+    remove_created();
+}
+
+void OutputFolder::remove_created() {
     std::error_code not_empty;
     for (const std::string& path : created_) std::filesystem::remove(path, not_empty);
 }

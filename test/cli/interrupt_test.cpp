@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -107,6 +108,47 @@ TEST(Interrupt, FinishedRunsOfAStudyAreSkippedByTheNext) {
     ASSERT_EQ(test::run_program(arguments).code, 0);
     EXPECT_EQ(finished_runs(study), all);
     EXPECT_EQ(read_file(study + "/study.csv"), table);
+}
+
+// What is kept of a run and was cut off later, or is no run's, is made again.
+TEST(Interrupt, DamagedRunsOfAStudyAreMadeAgain) {
+    const test::TemporaryFolder folder;
+    const std::string arguments = "study " COB_DATA
+                                  "/figure2.obj --budgets 1 --points 10 --repeats 1 --picture-shots 0 --threads 1 -o " +
+                                  folder / "study";
+    ASSERT_EQ(test::run_program(arguments).code, 0);
+    const auto [file, text] = *finished_runs(folder / "study").begin();
+    const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+    const std::size_t last = text.rfind(',', text.rfind(',') - 1), count = text.find(",0.25,") + 1;
+    for (const std::string& damaged : {text.substr(0, text.size() - 1), text.substr(0, last + 2), std::string(),
+                                       std::string("\n"), text.substr(0, last + 1) + "-1" + text.substr(last + 1),
+                                       text.substr(0, count) + "1e300" + text.substr(count)}) {
+        write_file(file, damaged);
+        ASSERT_EQ(test::run_program(arguments).code, 0);
+        const std::string now = read_file(file);
+        EXPECT_EQ(commas(now), commas(text)) << damaged;
+        EXPECT_EQ(now.back(), '\n') << damaged;
+        EXPECT_EQ(now.find("1e300"), std::string::npos);
+    }
+}
+
+// Two at once in one folder: both succeed, whoever is first.
+TEST(Interrupt, TwoProcessesMayMakeTheSame) {
+    for (const std::string& arguments :
+         {std::string("golden " COB_DATA "/figure4.obj --segments 2000 --hard 20 --shard-size 300 --threads 1 -o "),
+          std::string("study " COB_DATA "/figure2.obj --budgets 1 --points 10 --repeats 1 --picture-shots 1 "
+                      "--threads 1 -o ")})
+        for (int repeat = 0; repeat < 2; ++repeat) {
+            const test::TemporaryFolder folder;
+            const std::string command = COB_PROGRAM " " + arguments + folder / "out";
+            const auto run =
+                test::run_shell(command + " & first=$!; " + command + "; echo code $?; wait $first; echo code $?");
+            const std::size_t one = run.out.find("code 0\n"), other = run.out.rfind("code 0\n");
+            EXPECT_TRUE(one != std::string::npos && one < other) << run.out << run.error;
+            EXPECT_FALSE(std::filesystem::exists(folder / "out/shards"));
+            for (const auto& [name, bytes] : test::bytes_of(folder.path()))
+                EXPECT_EQ(name.find(".tmp"), std::string::npos) << name;
+        }
 }
 
 // Another light is another scene, although the OBJ file is the same.
