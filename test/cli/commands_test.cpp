@@ -123,6 +123,13 @@ TEST(Commands, SkippedPolygonsAreListed) {
     }
 }
 
+// A folder that can be created only in part is not created at all.
+TEST(Commands, FoldersAreCreatedWholly) {
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(run_program("classify " + figure2 + " -o " + folder / "a/b/" + std::string(300, 'c')).code, 2);
+    EXPECT_FALSE(exists(folder / "a"));
+}
+
 // A number may begin with its point, behind a minus, too.
 TEST(Commands, NegativeNumbersAreNoOptions) {
     const auto occlude = [](const std::string& x) {
