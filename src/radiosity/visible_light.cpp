@@ -182,6 +182,7 @@ void evaluate(const PlanesThroughPoint& planes, const ReceiverNormal& normal, co
     // is below 1e-1100, and nothing in binary64.
     if (evaluate_in<Decimal<50>>(planes, normal, all, visible, view)) return;
     if (evaluate_in<Decimal<200>>(planes, normal, all, visible, view)) return;
+    if (evaluate_in<Decimal<450>>(planes, normal, all, visible, view)) return;
     if (evaluate_in<Decimal<1200>>(planes, normal, all, visible, view)) return;
     view.unobstructed = view.visible = 0;
 }

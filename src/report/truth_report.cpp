@@ -218,11 +218,18 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
     const std::uint64_t stride = elements.size() <= most ? 1 : (elements.size() + most - 1) / most;
     const std::uint64_t count = (elements.size() + stride - 1) / stride;
 
-    // What it will cost, from the first few spread over all.
+    // What it will cost, from the first few spread over all. An element may take seconds: each is told.
+    std::mutex mutex;
+    std::uint64_t done = 0;
+    const auto tell = [&](std::uint64_t judged) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (options.progress) options.progress(done += judged, count);
+    };
     const auto judge_block = [&](std::uint64_t begin, std::uint64_t end, std::uint64_t step, ElementTruth* out) {
         ElementClassifier classifier(elements, source, options.classify);
         ClassifiedElement classified;
         for (std::uint64_t k = begin; k < end; k += step) {
+            tell(0);
             classifier(k * stride, classified);
             *out++ = judge(k * stride, classified.inherited ? *classified.inherited : classified.found.state);
         }
@@ -239,14 +246,10 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
 
     // All of them.
     std::vector<ElementTruth> truths(count);
-    std::mutex mutex;
-    std::uint64_t done = 0;
     in_parallel(options.threads, (count + 15) / 16, [&](std::size_t block) {
         const std::uint64_t begin = 16 * block, end = std::min<std::uint64_t>(begin + 16, count);
         judge_block(begin, end, 1, truths.data() + begin);
-        if (!options.progress) return;
-        const std::lock_guard<std::mutex> lock(mutex);
-        options.progress(done += end - begin, count);
+        tell(end - begin);
     });
 
     TruthSummary summary = summarise(truths);
