@@ -2,6 +2,7 @@
 
 #include "geometry/embree_handles.hpp"
 
+#include <cmath>
 #include <future>
 #include <vector>
 
@@ -13,6 +14,14 @@ RTCRay offset_ray(const Segment& segment) {
     ray.tnear = EmbreeTriangles::offset;
     ray.tfar = 1 - EmbreeTriangles::offset;
     return ray;
+}
+
+/// What Embree takes for a ray: some builds of it end the program where one is none.
+bool is_in_range(const RTCRay& ray) {
+    constexpr float most = 1.8e18F;
+    for (const float x : {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z})
+        if (!(std::abs(x) < most)) return false;
+    return true;
 }
 
 }  // namespace
@@ -66,6 +75,7 @@ EmbreeTriangles::~EmbreeTriangles() = default;
 
 bool EmbreeTriangles::hidden(const Segment& segment) const {
     RTCRay ray = offset_ray(segment);
+    if (!is_in_range(ray)) return false;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(implementation_->scene.get(), &context, &ray);
@@ -75,6 +85,7 @@ bool EmbreeTriangles::hidden(const Segment& segment) const {
 std::optional<EmbreeTriangles::Hit> EmbreeTriangles::first_hit(const Segment& segment) const {
     RTCRayHit hit{};
     hit.ray = offset_ray(segment);
+    if (!is_in_range(hit.ray)) return std::nullopt;
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

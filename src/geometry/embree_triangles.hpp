@@ -20,7 +20,7 @@ public:
     explicit EmbreeTriangles(const Scene& scene);
     ~EmbreeTriangles();
 
-    /// Something is hit between the ends.
+    /// Something is hit between the ends. Of a segment beyond Embree's range, 1.8e18, nothing.
     bool hidden(const Segment& segment) const;
     struct Hit {
         PieceId piece;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cob {
 
@@ -74,6 +75,17 @@ SnapReport compare(const Scene& before, const Scene& after, int grid) {
     return report;
 }
 
+/// Numbers of the set run from 2^-(grid + below) to 2^above; binary32 and binary64 end where they end.
+void refuse_beyond_format(const Scene& scene, NumberFormat format, int finest_bit) {
+    const bool is_binary32 = format == NumberFormat::binary32;
+    const int most = is_binary32 ? std::numeric_limits<float>::max_exponent : std::numeric_limits<double>::max_exponent;
+    const int least = is_binary32 ? 149 : 1074;  // of the smallest subnormal number
+    if (bits_above_one(scene) <= most && finest_bit <= least) return;
+    throw InputError(std::string("the scene is too ") + (finest_bit > least ? "small" : "large") + " for exact " +
+                         (is_binary32 ? "binary32" : "binary64") + " numbers",
+                     {scene.name(), 0, "", "choose another unit of length, or a coarser --grid"});
+}
+
 void refuse_new_invalid(const SnapReport& report, const Scene& after) {
     const PolygonId first = report.now_invalid.front();
     std::string reason;
@@ -109,6 +121,7 @@ SnappedScene snap(Scene scene, const GoldenParameters& parameters) {
             throw InputError("grid is too fine for all corners and sample points to be exact",
                              {"", 0, std::to_string(grid), "choose --grid " + std::to_string(possible) + " or less"});
         }
+        refuse_beyond_format(after, format, grid + bits_below_grid(after, parameters));
         SnapReport report = compare(scene, after, grid);
         if (!report.now_invalid.empty() && !parameters.skip_invalid) refuse_new_invalid(report, after);
         return {std::move(after), std::move(report)};

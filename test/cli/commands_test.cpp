@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 namespace cob {
 namespace {
@@ -237,6 +238,41 @@ TEST(Commands, TablesMayBeginWithAByteOrderMark) {
     const auto run = run_program("verify " + set + " " + folder.path());
     EXPECT_EQ(run.code, 2);
     EXPECT_NE(run.error.find("'box,?[31m?,close': expected box,polygon,relation"), std::string::npos) << run.error;
+}
+
+// A table, a sheet over it and a lamp, 10^decimal wide: beyond binary32, which is told or answered and ends nothing.
+TEST(Commands, ScenesBeyondBinary32) {
+    for (const std::string decimal : {"e-110", "e155", "e300"}) {
+        const test::TemporaryFolder folder;
+        std::string text = "mtllib scene.mtl\n";
+        for (const char* corner : {"0 0 0", "1 0 0", "1 1 0", "0 1 0", ".4 .4 .1", ".7 .4 .1", ".7 .8 .1", ".4 .8 .1",
+                                   "0 0 2", "0 1 2", "1 1 2", "1 0 2"}) {
+            std::string number;
+            text += "v";
+            for (std::istringstream numbers(corner); numbers >> number;) text += " " + number + decimal;
+            text += "\n";
+        }
+        write_file(folder / "scene.obj", text + "f 1 2 3 4\nf 5 6 7 8\nusemtl lamp\nf 9 10 11 12\n");
+        write_file(folder / "scene.mtl", "newmtl lamp\nKe 1 1 1\n");
+        const std::string set = folder / "set", out = folder / "out", golden = "golden " + folder / "scene.obj";
+
+        const auto narrow = run_program(golden + " --float --segments 20 -o " + set);
+        EXPECT_EQ(narrow.code, 2) << decimal << narrow.error;
+        EXPECT_NE(narrow.error.find("for exact binary32 numbers"), std::string::npos) << narrow.error;
+        EXPECT_FALSE(exists(set)) << decimal;
+
+        ASSERT_EQ(run_program(golden + " --segments 20 --hard 10 -o " + set).code, 0) << decimal;
+        for (const std::string arithmetic : {"float", "double"}) {
+            ASSERT_EQ(run_program("answer " + set + " --arithmetic " + arithmetic + " -o " + out).code, 0) << decimal;
+            const auto verified = run_program("verify " + set + " " + out + " --junit " + folder / "report.xml");
+            EXPECT_LE(verified.code, 1) << decimal << verified.error;
+            EXPECT_EQ((verified.out + read_file(folder / "report.xml")).find("inf ulps"), std::string::npos) << decimal;
+        }
+        // Where the program is built without Embree, that is told.
+        const auto embree = run_program("answer " + set + " --arithmetic embree -o " + folder / "embree");
+        EXPECT_TRUE(embree.code == 0 || embree.error.find("without Embree") != std::string::npos) << embree.error;
+        EXPECT_EQ(run_program("bench " + set + " --most 2 --repetitions 1 -o " + folder / "bench").code, 0) << decimal;
+    }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace cob::verify {
 
@@ -65,7 +66,8 @@ inline std::string point_text(const Table& row, std::size_t column) {
 
 /// Size of a question (diagonal of the bounds of its points) and largest coordinate.
 inline std::array<double, 2> size_of(const Table& row, const std::vector<std::size_t>& points) {
-    double largest = 0, squares = 0;
+    double largest = 0;
+    std::array<double, 3> half{};  // extents and their squares may leave binary64
     for (std::size_t axis = 0; axis < 3; ++axis) {
         double low = HUGE_VAL, high = -HUGE_VAL;
         for (const std::size_t column : points) {
@@ -73,9 +75,9 @@ inline std::array<double, 2> size_of(const Table& row, const std::vector<std::si
             low = std::min(low, value), high = std::max(high, value);
             largest = std::max(largest, std::abs(value));
         }
-        squares += (high - low) * (high - low);
+        half[axis] = high / 2 - low / 2;
     }
-    return {std::sqrt(squares), largest};
+    return {std::min(2 * std::hypot(half[0], half[1], half[2]), std::numeric_limits<double>::max()), largest};
 }
 
 inline std::vector<std::size_t> corner_columns(const Table& box) {
