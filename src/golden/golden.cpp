@@ -79,6 +79,14 @@ void move_file(const std::string& from, const std::string& to) {
         throw InputError("cannot write", {to, 0, error.message(), "choose a folder that is writable and has room"});
 }
 
+/// Of a set that is finished. Again, where another process that made the same is at it, too, and one fails.
+void remove_shards(const std::string& folder) {
+    constexpr int attempts = 10;
+    const std::string shards = folder + "/shards";
+    std::error_code ignored;
+    for (int k = 0; k < attempts && exists(shards); ++k) std::filesystem::remove_all(shards, ignored);
+}
+
 /// Joins the shards into the set; the manifest comes last and makes it a set.
 void merge(const Shards& shards, std::uint64_t count, const std::string& folder, const SceneText& text,
            const GoldenParameters& parameters) {
@@ -113,7 +121,7 @@ void merge(const Shards& shards, std::uint64_t count, const std::string& folder,
 
     for (const auto& [name, file] : manifest.files) move_file(aside + "/" + name, folder + "/" + name);
     move_file(aside + "/manifest.json", folder + "/manifest.json");
-    shards.remove_all();
+    remove_shards(folder);
 }
 
 /// Whether the folder holds the whole set already. Throws InputError where it holds another.
@@ -174,8 +182,7 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     GoldenResult result{plan.boxes, plan.segments, plan.count(), 0, false, snapped.report};
 
     if (finished_before(folder, parameters, text)) {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder + "/shards", ignored);
+        remove_shards(folder);
         result.finished = true;
         return result;
     }
@@ -194,7 +201,7 @@ GoldenResult make_golden(const std::string& scene_path, const std::string& folde
     } catch (const InputError&) {
         // Another process may have finished the set meanwhile, and removed the shards.
         if (!finished_before(folder, parameters, text)) throw;
-        shards.remove_all();
+        remove_shards(folder);
         result.finished = true;
     }
     return result;

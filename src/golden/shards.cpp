@@ -162,9 +162,4 @@ std::optional<ManifestFile> Shards::merge(const std::string& table, const std::s
     return out->commit();
 }
 
-void Shards::remove_all() const {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-}
-
 }  // namespace cob

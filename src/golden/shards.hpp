@@ -34,8 +34,6 @@ public:
     /// Joins one table of all shards that have it under its header; nothing where none has it.
     std::optional<ManifestFile> merge(const std::string& table, const std::string& header, std::uint64_t count,
                                       const std::string& to) const;
-    /// Removes all shards, finished or not.
-    void remove_all() const;
 
 private:
     std::string path(std::uint64_t shard) const;
