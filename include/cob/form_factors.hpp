@@ -25,7 +25,7 @@ struct FormFactorOptions {
     /// value lies between. The subdivision stops at a width of 2 tolerance or at max_subdivisions.
     bool certified = false;
     /// Exact point values for one pair of pieces; as many again, received at the other, where the goal is not reached.
-    std::uint64_t max_evaluations = 200000;
+    std::uint64_t max_evaluations = 1000000;
     std::uint64_t max_subdivisions = 4000;  ///< The same, of triangles of the receiver, certified only.
     /// Both triangles of the matrix on their own, so that reciprocity can be checked; else the larger polygon's
     /// value follows from the smaller's.

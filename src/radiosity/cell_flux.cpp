@@ -3,8 +3,11 @@
 #include "radiosity/cells.hpp"
 #include "radiosity/taylor.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace cob::radiosity {
 namespace {
@@ -38,33 +41,40 @@ Place<Taylor<2, degree>> place_in(const Triangle2D& c, bool anywhere) {
     return place;
 }
 
+template <class T>
+T number(const Interval& value) {
+    if constexpr (std::is_floating_point_v<T>)
+        return value.middle();
+    else
+        return T(value);
+}
+
 /// Lambert's sum (lambert.hpp) over the contour; arcs are angles with a sign, so that they may shrink to nothing.
 template <class T>
 T form_factor_of(const PairShapes& shapes, const Contour& contour, const Place<T>& place) {
+    using std::atan2, std::sqrt;
     using Vector = Vector3<T>;
     const auto towards = [&](VertexId v) {
         const IntervalPoint& corner = shapes.corner(v);
-        return Vector{T(corner.x) - place.s, T(corner.y) - place.t, T(corner.z)};
+        return Vector{number<T>(corner.x) - place.s, number<T>(corner.y) - place.t, number<T>(corner.z)};
     };
-    const auto normal = [&](const std::array<VertexId, 2>& edge) { return cross(towards(edge[0]), towards(edge[1])); };
-    const auto direction = [&](const Ray& ray) {
-        if (ray.vertex >= 0) return ray.opposite ? -towards(ray.vertex) : towards(ray.vertex);
-        const auto plane = [&](PlaneRef ref) { return normal(contour.edges[static_cast<std::size_t>(ref.index)]); };
-        const Vector d = cross(plane(ray.first), plane(ray.second));
+    boost::container::small_vector<Vector, std::is_floating_point_v<T> ? 24 : 1> normals;
+    for (const auto& [a, b] : contour.sides) normals.push_back(cross(towards(a), towards(b)));
+    const auto normal = [&](std::int32_t side) -> const Vector& { return normals[static_cast<std::size_t>(side)]; };
+    const auto direction = [&](const ContourRay& ray) {
+        if (ray.vertex >= 0) return towards(ray.vertex);
+        const Vector d = cross(normal(ray.first.index), normal(ray.second.index));
         return ray.first.flipped != ray.second.flipped ? -d : d;
     };
     T sum(0.0);
-    for (const ContourPlane& plane : contour.planes) {
-        const Vector m = normal(plane.edge);
+    for (const ContourArc& arc : contour.arcs) {
+        const Vector &m = normal(arc.side), a = direction(arc.from), b = direction(arc.to);
         const T length = sqrt(dot(m, m));
-        T angles(0.0);
-        for (const auto& [from, to] : plane.arcs) {
-            const Vector a = direction(from), b = direction(to);
-            angles = angles + atan2(dot(m, cross(a, b)) / length, dot(a, b));
-        }
-        sum = sum + m.z / length * angles;
+        if constexpr (std::is_floating_point_v<T>)
+            if (!(length > 0)) continue;  // a side seen end on
+        sum = sum + m.z / length * atan2(dot(m, cross(a, b)) / length, dot(a, b));
     }
-    return sum / T(Interval(2) * pi_interval());
+    return sum / number<T>(Interval(2) * pi_interval());
 }
 
 /// Integral of u^p v^q over the triangle in (u, v), whose area is 1/2; exact.
@@ -106,7 +116,7 @@ private:
 }  // namespace
 
 Interval flux_over_cell(const PairShapes& shapes, const Triangle2D& cell, const Contour& contour) {
-    if (contour.planes.empty()) return 0;
+    if (contour.arcs.empty()) return 0;
     static const Moments moments;
     const auto middle = form_factor_of(shapes, contour, place_in<order>(cell, false));
     const auto all = form_factor_of(shapes, contour, place_in<order>(cell, true));
@@ -127,10 +137,14 @@ Interval flux_over_cell(const PairShapes& shapes, const Triangle2D& cell, const 
 }
 
 Interval range_over_cell(const PairShapes& shapes, const Triangle2D& cell, const Contour& contour) {
-    if (contour.planes.empty()) return 0;
+    if (contour.arcs.empty()) return 0;
     const Interval range = form_factor_of(shapes, contour, place_in<0>(cell, true)).at(0);
     if (!range.is_bounded()) return {0, 1};
     return {std::clamp(range.low(), 0.0, 1.0), std::clamp(range.high(), 0.0, 1.0)};
+}
+
+double form_factor_at(const PairShapes& shapes, const Point2D& where, const Contour& contour) {
+    return form_factor_of<double>(shapes, contour, {where.s, where.t});
 }
 
 Motion motion_over_cell(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
@@ -140,18 +154,19 @@ Motion motion_over_cell(const PairShapes& shapes, const Triangle2D& cell, const 
     const double radius = reach(cell);
     Motion motion;
     const auto add = [&](const CornerLoop& loop) {
-        for (std::size_t k = 0; k < loop.size(); ++k) {
+        for (std::size_t k = 0; k < loop.corners.size(); ++k) {
             const auto at = [&](VertexId v) {
                 const IntervalPoint& p = shapes.corner(v);
                 return Vector3<double>{p.x.middle() - centre.s, p.y.middle() - centre.t, p.z.middle()};
             };
-            const Vector3<double> a = at(loop[k]), b = at(loop[(k + 1) % loop.size()]), d = b - a;
+            const Vector3<double> a = at(loop.corners[k]), b = at(loop.corners[(k + 1) % loop.corners.size()]),
+                                  d = b - a;
             const double length = std::sqrt(dot(d, d));
             const double along = length > 0 ? std::clamp(-dot(a, d) / (length * length), 0.0, 1.0) : 0;
             const Vector3<double> nearest = a + along * d;
             const double distance = (std::sqrt(dot(nearest, nearest)) - 1e-12) / up - radius;
             if (!(distance > 0)) {
-                motion = {HUGE_VAL, HUGE_VAL};
+                motion = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
                 return;
             }
             const double angle = std::min(pi_low * up, length * up / distance);
@@ -159,6 +174,7 @@ Motion motion_over_cell(const PairShapes& shapes, const Triangle2D& cell, const 
             const double change = angle * cosine / distance / pi_low * up;
             motion.of_all_sides += change * up;
             motion.of_one_side = std::max(motion.of_one_side, change);
+            motion.of_directions = std::max(motion.of_directions, up / distance);
         }
     };
     for (const CornerLoop& light : lights) add(light);

@@ -1,318 +1,297 @@
 #include "radiosity/cell_view.hpp"
 
-#include "radiosity/cone_algebra.hpp"
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace cob::radiosity {
 namespace {
 
-constexpr double negligible = 0x1p-34;  ///< What is below it, against the largest, is a sliver beside a rounded cut.
+/// A polygon's cone: planes with it on their positive sides, to the left; nothing where it is seen edge on.
+struct CellCone {
+    const CornerLoop* loop = nullptr;
+    bool turned = false;   ///< Its corners run to the right as seen.
+    bool decided = false;  ///< Else the plane of the polygon may cut the cell.
 
-Interval enclosure(const Rational& value) {
-    const double nearest = to_nearest(value);
-    if (value == Rational(nearest)) return nearest;
-    return {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)};
+    std::pair<PlaneRef, VertexId> facing() const { return {loop->sides[0], loop->corners[2]}; }
+    std::size_t size() const { return loop->corners.size(); }
+    PlaneRef plane(std::size_t k) const { return turned ? -loop->sides[k] : loop->sides[k]; }
+    VertexId corner(std::size_t k) const { return loop->corners[k % size()]; }
+};
+
+/// On the plane through x and a side, from ray to ray to the left.
+struct Arc {
+    PlaneRef plane;
+    ContourRay from, to;
+};
+
+enum class Effect : std::uint8_t { keeps, removes };
+
+/// What a cone does to an arc.
+struct Clipper {
+    Effect effect;
+    const CellCone* cone;
+    std::optional<std::size_t> common;  ///< The side in the arc's own plane for all x: it does not cut the arc.
+    std::optional<std::pair<PlaneRef, VertexId>> waits_for;  ///< A sign without which nothing can be said.
+};
+using SidesOfCone = boost::container::small_vector<std::size_t, 8>;
+using Clippers = std::vector<const Clipper*>;
+
+enum class Common : std::uint8_t { none, some, undecided };
+
+/// Finds the contour of one cell. Signs are asked for as late as can be: what is hidden or outside needs no more.
+class ContourSearch {
+public:
+    ContourSearch(const PairShapes& shapes, SignsOverCell& signs, double doubt)
+        : shapes_(shapes), signs_(signs), doubt_(doubt), numbers_(shapes.side_count(), -1) {}
+
+    Contour run(const std::vector<CornerLoop>& lights, const std::vector<const CornerLoop*>& occluders);
+
+private:
+    std::optional<CellCone> cone_over(const CornerLoop& loop);
+    void add_side(const CellCone& cone, std::size_t k, Effect effect);
+    Clipper clipper(const Arc& arc, const CellCone& cone, Effect effect) const;
+    std::vector<Clipper> hiding(const CellCone& cone, const Arc& arc, bool of_light);
+    void reduce(Arc arc, Clippers pending, Effect effect);
+    bool cutting_sides(PlaneRef plane, const Clipper& clipper, SidesOfCone& sides);
+    Common clip(Arc& arc, const Clipper& clipper);
+    void emit(const Arc& arc, Effect effect);
+    std::int32_t number(std::int32_t side);
+
+    const PairShapes& shapes_;
+    SignsOverCell& signs_;
+    double doubt_;
+    std::vector<CellCone> lights_, occluders_;
+    std::vector<std::int32_t> numbers_;  ///< Of sides in the contour.
+    Contour contour_;
+};
+
+std::optional<CellCone> ContourSearch::cone_over(const CornerLoop& loop) {
+    const auto facing = signs_.side(loop.sides[0], loop.corners[2]);
+    if (facing && *facing == Sign::zero) return std::nullopt;
+    return CellCone{&loop, facing && *facing == Sign::negative, facing.has_value()};
 }
 
-IntervalPoint enclosure(const RationalPoint& point) {
-    return {enclosure(point.x), enclosure(point.y), enclosure(point.z)};
+Clipper ContourSearch::clipper(const Arc& arc, const CellCone& cone, Effect effect) const {
+    Clipper result{effect, &cone, shapes_.common_side(arc.plane.index, *cone.loop), {}};
+    if (!cone.decided) result.waits_for = cone.facing();
+    return result;
 }
 
-/// To a length of 1, whatever its length.
-IntervalPoint unit(const RationalPoint& v) {
-    const IntervalPoint scaled = enclosure(Rational(1 / largest_component(v)) * v);
-    return (Interval(1) / sqrt(square(scaled.x) + square(scaled.y) + square(scaled.z))) * scaled;
-}
-
-Interval determinant(const IntervalPoint& a, const IntervalPoint& b, const IntervalPoint& c) {
-    return dot(cross(a, b), c);
-}
-
-bool zero_inside(const Interval& value) {
-    return value.low() <= 0 && value.high() >= 0;
-}
-
-/// The sign of a polynomial on a triangle from its Bernstein coefficients, those at the corners first, all but a
-/// sliver: where a corner's is p and none is below -q, the polynomial is negative only where l^degree p < q, l the
-/// corner's barycentric coordinate.
-template <std::size_t n>
-std::optional<Sign> sign_of_coefficients(const std::array<Interval, n>& c, double& sliver) {
-    for (const Sign sign : {Sign::positive, Sign::negative}) {
-        const auto low = [&](std::size_t k) { return sign == Sign::positive ? c[k].low() : -c[k].high(); };
-        double p = 0, q = 0;
-        for (std::size_t k = 0; k < n; ++k) {
-            if (k < 3) p = std::max(p, low(k));
-            q = std::max(q, -low(k));
-            if (!(low(k) >= -HUGE_VAL)) return std::nullopt;
+/// Those of the occluders that may hide a side.
+///
+/// A side is a border where one of its sides, left or right, is seen. Another polygon with a side in the same plane
+/// lies on one of these only: it hides a light's side from its own side alone; an occluder's is no border where another
+/// lies on the other side, and of several on the same side the first one's counts.
+std::vector<Clipper> ContourSearch::hiding(const CellCone& cone, const Arc& arc, bool of_light) {
+    std::vector<Clipper> result;
+    result.reserve(occluders_.size());
+    bool before = true;
+    for (const CellCone& other : occluders_) {
+        if (other.loop == cone.loop) {
+            before = false;
+            continue;
         }
-        if (q > 0 && !(q <= negligible * p)) continue;
-        if (q == 0 && p == 0 && std::all_of(c.begin(), c.end(), zero_inside)) return std::nullopt;
-        // The strip 0 <= l < e has a share of at most 2 e.
-        if (q > 0) sliver += 2.01 * (n == 3 ? q / p : std::sqrt(q / p));
-        return sign;
+        Clipper found = clipper(arc, other, Effect::removes);
+        if (found.common) {
+            if (!cone.decided) continue;
+            const VertexId apex = other.corner(*found.common + 2);
+            const auto which = signs_.side(arc.plane, apex);
+            if (!which)
+                found.waits_for = {arc.plane, apex};
+            else if (const bool same_side = *which == Sign::positive; of_light ? !same_side : same_side && !before)
+                continue;
+        }
+        result.push_back(found);
     }
-    return std::nullopt;
+    return result;
+}
+
+void ContourSearch::add_side(const CellCone& cone, std::size_t k, Effect effect) {
+    const VertexId a = cone.corner(k), b = cone.corner(k + 1);
+    const Arc arc{cone.plane(k), {cone.turned ? b : a, {}, {}}, {cone.turned ? a : b, {}, {}}};
+    const bool of_light = effect == Effect::keeps;
+    const std::vector<Clipper> others = hiding(cone, arc, of_light);
+    // Whichever way it is seen, nothing may be left of a polygon whose plane may cut the cell.
+    const Clipper undecided{Effect::keeps, &cone, {}, cone.facing()};
+    Clippers all;
+    if (!cone.decided) all.push_back(&undecided);
+    for (const Clipper& other : others) all.push_back(&other);
+    signs_.allow_doubt(0);
+    if (of_light) return reduce(arc, std::move(all), effect);
+    for (const CellCone& light : lights_) {
+        const Clipper before_light = clipper(arc, light, Effect::keeps);
+        if (before_light.common) continue;  // nothing of it, or the light's own side is the border
+        Clippers with_light{&before_light};
+        for (const Clipper* other : all) with_light.push_back(other);
+        reduce(arc, std::move(with_light), effect);
+        signs_.allow_doubt(0);
+    }
+}
+
+/// The sides of the cone that may cut an arc on the plane: those that cross it, where that is known, else all. False
+/// where the whole cone lies on one side.
+bool ContourSearch::cutting_sides(PlaneRef plane, const Clipper& clipper, SidesOfCone& sides) {
+    const CellCone& cone = *clipper.cone;
+    const std::size_t n = cone.size();
+    if (clipper.common) {
+        sides = {(*clipper.common + 1) % n, (*clipper.common + n - 1) % n};
+        return true;
+    }
+    boost::container::small_vector<Sign, 8> signs;
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto sign = signs_.side(plane, cone.corner(k));
+        if (!sign) {
+            for (std::size_t j = 0; j < n; ++j) sides.push_back(j);
+            return true;
+        }
+        signs.push_back(*sign);
+    }
+    for (const Sign side : {Sign::positive, Sign::negative})
+        if (std::none_of(signs.begin(), signs.end(), [side](Sign sign) { return sign == side; })) return false;
+    for (std::size_t k = 0; k < n; ++k)
+        if (signs[k] != signs[(k + 1) % n]) sides.push_back(k);
+    return true;
+}
+
+/// The arc's part in the cone.
+Common ContourSearch::clip(Arc& arc, const Clipper& clipper) {
+    if (clipper.waits_for) {
+        signs_.side(clipper.waits_for->first, clipper.waits_for->second);  // to note it
+        return Common::undecided;
+    }
+    SidesOfCone pending;
+    if (!cutting_sides(arc.plane, clipper, pending)) return Common::none;
+    for (bool changed = true; changed && !pending.empty();) {
+        changed = false;
+        std::size_t undecided = 0;
+        for (const std::size_t k : pending) {
+            const PlaneRef plane = clipper.cone->plane(k);
+            const auto from = signs_.side(plane, arc.from), to = signs_.side(plane, arc.to);
+            if (!from || !to) {
+                pending[undecided++] = k;
+                continue;
+            }
+            if (*from != Sign::positive && *to != Sign::positive) return Common::none;
+            if (*from == Sign::negative) arc.from = {-1, plane, arc.plane}, changed = true;
+            if (*to == Sign::negative) arc.to = {-1, arc.plane, plane}, changed = true;
+        }
+        pending.resize(undecided);
+    }
+    return pending.empty() ? Common::some : Common::undecided;
+}
+
+void ContourSearch::reduce(Arc arc, Clippers pending, Effect effect) {
+    bool in_doubt = false;
+    while (!pending.empty()) {
+        bool changed = false;
+        signs_.forget_undecided();
+        for (std::size_t k = 0; k < pending.size();) {
+            const Clipper& clipper = *pending[k];
+            Arc inside = arc;
+            const Common common = clip(inside, clipper);
+            if (common == Common::undecided) {
+                ++k;
+                continue;
+            }
+            pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(k));
+            if (clipper.effect == Effect::keeps) {
+                if (common == Common::none) return;
+                changed = changed || !(inside.from == arc.from && inside.to == arc.to);
+                arc = inside;
+                continue;
+            }
+            if (common == Common::none) continue;
+            const bool left = !(inside.from == arc.from), right = !(inside.to == arc.to);
+            if (!left && !right) return;
+            changed = true;
+            const Arc first{arc.plane, arc.from, inside.from}, second{arc.plane, inside.to, arc.to};
+            if (left && right) {
+                reduce(first, pending, effect);
+                reduce(second, std::move(pending), effect);
+                return;
+            }
+            arc = left ? first : second;
+        }
+        if (changed || pending.empty()) continue;
+        if (in_doubt || doubt_ == 0) throw *signs_.undecided();
+        in_doubt = true;
+        signs_.allow_doubt(doubt_);
+    }
+    emit(arc, effect);
+}
+
+std::int32_t ContourSearch::number(std::int32_t side) {
+    std::int32_t& known = numbers_[static_cast<std::size_t>(side)];
+    if (known < 0) {
+        known = static_cast<std::int32_t>(contour_.sides.size());
+        contour_.sides.push_back(shapes_.side(side));
+    }
+    return known;
+}
+
+void ContourSearch::emit(const Arc& arc, Effect effect) {
+    const auto numbered = [&](ContourRay ray) {
+        if (ray.vertex < 0) ray.first.index = number(ray.first.index), ray.second.index = number(ray.second.index);
+        return ray;
+    };
+    const ContourRay from = numbered(arc.from), to = numbered(arc.to);
+    const bool along = effect == Effect::keeps;
+    contour_.arcs.push_back({number(arc.plane.index), along ? from : to, along ? to : from});
+}
+
+Contour ContourSearch::run(const std::vector<CornerLoop>& lights, const std::vector<const CornerLoop*>& occluders) {
+    for (const CornerLoop& light : lights)
+        if (const auto cone = cone_over(light)) lights_.push_back(*cone);
+    for (const CornerLoop* occluder : occluders)
+        if (const auto cone = cone_over(*occluder)) occluders_.push_back(*cone);
+    for (const CellCone& light : lights_)
+        for (std::size_t k = 0; k < light.size(); ++k) add_side(light, k, Effect::keeps);
+    for (const CellCone& occluder : occluders_)
+        for (std::size_t k = 0; k < occluder.size(); ++k) add_side(occluder, k, Effect::removes);
+    contour_.sliver = signs_.sliver();
+    contour_.doubtful = signs_.doubtful();
+    return std::move(contour_);
 }
 
 }  // namespace
 
-// ------------------------------------------------------------------------------------------------- the shapes
-
-PairShapes::PairShapes(const ConvexPolygon& receiver, double scale) : receiver_(receiver), scale_(scale) {
-    const RationalPoint normal = area_vector(receiver), side = receiver[1] - receiver[0];
-    axes_ = {unit(side), unit(cob::cross(normal, side)), unit(normal)};
-    std::size_t third = 2;
-    while (cob::cross(side, receiver[third] - receiver[0]) == RationalPoint{}) ++third;
-    span_ = {receiver[0], receiver[1], receiver[third]};
+Contour CellView::visible_contour(const std::vector<CornerLoop>& lights,
+                                  const std::vector<const CornerLoop*>& occluders, double doubt) {
+    return ContourSearch(*shapes_, signs_, doubt).run(lights, occluders);
 }
 
-IntervalPoint PairShapes::local(const RationalPoint& point) const {
-    const RationalPoint offset = Rational(scale_) * (point - receiver_[0]);
-    const IntervalPoint relative = enclosure(offset);
-    IntervalPoint result{dot(relative, axes_[0]), dot(relative, axes_[1]), dot(relative, axes_[2])};
-    // What lies in the plane does so exactly.
-    if (cob::dot(area_vector(receiver_), offset) == 0) result.z = Interval(0);
-    return result;
-}
-
-CornerLoop PairShapes::add(const ConvexPolygon& polygon) {
-    CornerLoop loop;
-    const std::size_t n = polygon.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        const RationalPoint &before = polygon[(k + n - 1) % n], &corner = polygon[k], &after = polygon[(k + 1) % n];
-        if (cob::cross(corner - before, after - corner) == RationalPoint{}) continue;
-        const auto [known, is_new] = known_.try_emplace(corner, static_cast<VertexId>(exact_.size()));
-        if (is_new) exact_.push_back(corner), corners_.push_back(local(corner));
-        loop.push_back(known->second);
-    }
-    return loop;
-}
-
-bool PairShapes::always_in_plane(VertexId a, VertexId b, VertexId v) const {
-    std::array<VertexId, 6> key{a, b, v, -1, -1, -1};
-    std::sort(key.begin(), key.begin() + 3);
-    const auto [known, is_new] = degenerate_.try_emplace(key, true);
-    if (!is_new) return known->second;
-    const auto at = [&](VertexId id) { return exact_[static_cast<std::size_t>(id)]; };
-    // Linear: three points that span the plane decide.
-    for (const RationalPoint& x : span_)
-        if (cob::dot(cob::cross(at(a) - x, at(b) - x), at(v) - x) != 0) known->second = false;
-    return known->second;
-}
-
-bool PairShapes::always_in_line(const std::array<VertexId, 6>& sides) const {
-    const auto [known, is_new] = degenerate_.try_emplace(sides, true);
-    if (!is_new) return known->second;
-    // Quadratic: six points decide, the corners and the middles of the sides of a triangle.
-    for (std::size_t i = 0; i < 3 && known->second; ++i)
-        for (std::size_t j = i; j < 3 && known->second; ++j) {
-            const RationalPoint x = Rational(1, 2) * (span_[i] + span_[j]);
-            const auto normal = [&](std::size_t k) {
-                return cob::cross(exact_[static_cast<std::size_t>(sides[2 * k])] - x,
-                                  exact_[static_cast<std::size_t>(sides[2 * k + 1])] - x);
-            };
-            if (cob::dot(normal(0), cob::cross(normal(1), normal(2))) != 0) known->second = false;
-        }
-    return known->second;
-}
-
-// ------------------------------------------------------------------------------------------------- the planes
-
-IntervalPoint PlanesOverCell::towards(VertexId v, const Interval& s, const Interval& t) const {
-    const IntervalPoint& corner = shapes_->corner(v);
-    return {corner.x - s, corner.y - t, corner.z};
-}
-
-Sign PlanesOverCell::linear_sign(VertexId a, VertexId b, VertexId v, const IntervalPoint* normals) const {
-    std::array<Interval, 3> values;
-    for (std::size_t k = 0; k < 3; ++k)
-        values[k] = dot(normals[k], towards(v, Interval(cell_[k].s), Interval(cell_[k].t)));
-    if (const auto sign = sign_of_coefficients(values, sliver_)) return *sign;
-    if (std::all_of(values.begin(), values.end(), zero_inside) && shapes_->always_in_plane(a, b, v)) return Sign::zero;
-    throw UndecidedSign{true, {values[0].middle(), values[1].middle(), values[2].middle()}};
-}
-
-Sign PlanesOverCell::linear_sign(VertexId a, VertexId b, VertexId v) const {
-    std::array<IntervalPoint, 3> normals;
-    for (std::size_t k = 0; k < 3; ++k) normals[k] = normal(a, b, Interval(cell_[k].s), Interval(cell_[k].t));
-    return linear_sign(a, b, v, normals.data());
-}
-
-Sign PlanesOverCell::quadratic_sign(std::int32_t p, std::int32_t q, std::int32_t r) const {
-    std::array<Interval, 6> values;
-    for (std::size_t k = 0; k < 6; ++k) values[k] = determinant(at(p).normals[k], at(q).normals[k], at(r).normals[k]);
-    for (std::size_t k = 0; k < 3; ++k)
-        values[k + 3] = Interval(2) * values[k + 3] - Interval(0.5) * (values[k] + values[(k + 1) % 3]);
-    if (const auto sign = sign_of_coefficients(values, sliver_)) return *sign;
-    if (std::all_of(values.begin(), values.end(), zero_inside)) {
-        const auto &e = edge(p), &f = edge(q), &g = edge(r);
-        if (shapes_->always_in_line({e[0], e[1], f[0], f[1], g[0], g[1]})) return Sign::zero;
-    }
-    throw UndecidedSign{false, {values[0].middle(), values[1].middle(), values[2].middle()}};
-}
-
-PlaneRef PlanesOverCell::through_edge(VertexId a, VertexId b) {
-    const bool flipped = a > b;
-    if (flipped) std::swap(a, b);
-    const auto [known, is_new] = known_.try_emplace({a, b}, plane_count());
-    if (is_new) {
-        Plane plane{{a, b}, {}};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Point2D &x = cell_[k], &y = cell_[(k + 1) % 3];
-            plane.normals[k] = normal(a, b, Interval(x.s), Interval(x.t));
-            plane.normals[k + 3] = normal(a, b, Interval(0.5) * (Interval(x.s) + Interval(y.s)),
-                                          Interval(0.5) * (Interval(x.t) + Interval(y.t)));
-        }
-        planes_.push_back(plane);
-    }
-    return {known->second, flipped};
-}
-
-Ray PlanesOverCell::meet(PlaneRef first, PlaneRef second) const {
-    Ray ray;
-    ray.first = first, ray.second = second;
-    const auto &e = edge(first.index), &f = edge(second.index);
-    for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t j = 0; j < 2; ++j)
-            if (e[i] == f[j]) {
-                ray.vertex = e[i];
-                // (u x v) x (u' x v) = [u, u', v] v, and each plane may have v first or be flipped.
-                bool opposite = linear_sign(e[1 - i], f[1 - j], e[i]) == Sign::negative;
-                for (bool turn : {i == 0, j == 0, first.flipped, second.flipped}) opposite = opposite != turn;
-                ray.opposite = opposite;
-            }
-    return ray;
-}
-
-Sign PlanesOverCell::side(PlaneRef plane, const Ray& ray) const {
-    if (ray.first.index == plane.index || ray.second.index == plane.index) return Sign::zero;
-    if (ray.vertex >= 0) {
-        if (contains(plane, ray.vertex)) return Sign::zero;
-        const auto& [a, b] = edge(plane.index);
-        const Sign sign = linear_sign(a, b, ray.vertex, at(plane.index).normals.data());
-        return plane.flipped != ray.opposite ? -sign : sign;
-    }
-    const Sign sign = quadratic_sign(plane.index, ray.first.index, ray.second.index);
-    return (plane.flipped != ray.first.flipped) != ray.second.flipped ? -sign : sign;
-}
-
-bool PlanesOverCell::not_positive(PlaneRef plane, const Ray& ray) const {
-    const double before = sliver_;
-    try {
-        return side(plane, ray) != Sign::positive;
-    } catch (const UndecidedSign&) {
-        sliver_ = before;
-        return false;
-    }
-}
-
-std::optional<Cone> PlanesOverCell::over(const CornerLoop& loop) {
-    const Sign side = linear_sign(loop[0], loop[1], loop[2]);  // positive behind the polygon
-    if (side == Sign::zero) return std::nullopt;
-    const std::size_t n = loop.size();
-    const auto corner = [&](std::size_t k) { return side == Sign::positive ? loop[k % n] : loop[n - 1 - k % n]; };
-    Cone cone;
-    for (std::size_t k = 0; k < n; ++k) cone.planes.push_back(through_edge(corner(k), corner(k + 1)));
-    for (std::size_t k = 0; k < n; ++k)
-        cone.rays.push_back({cone.planes[k], cone.planes[(k + 1) % n], corner(k + 1), false, {}});
-    return cone;
-}
-
-/// The side of the plane through x and ab on which all of the other lies, if it is one.
-std::optional<Sign> PlanesOverCell::outside_of(VertexId a, VertexId b, const CornerLoop& other) const {
+/// The side of the plane through x and a side on which all of the other lies, if it is one.
+std::optional<Sign> CellView::outside_of(PlaneRef side, const CornerLoop& other) {
     std::optional<Sign> common;
-    for (VertexId v : other) {
-        if (v == a || v == b) continue;
-        const Sign sign = linear_sign(a, b, v);
-        if (sign == Sign::zero) continue;
-        if (common && *common != sign) return std::nullopt;
+    for (VertexId v : other.corners) {
+        const auto sign = signs_.side_without_sliver(side, v);
+        if (!sign) return std::nullopt;
+        if (*sign == Sign::zero) continue;
+        if (common && *common != *sign) return std::nullopt;
         common = sign;
     }
     return common;
 }
 
-bool PlanesOverCell::apart(const CornerLoop& one, const CornerLoop& other) {
+bool CellView::apart(const CornerLoop& one, const CornerLoop& other) {
     // A plane through x and a side that has the two on different sides.
-    const double before = sliver_;
     for (const auto& [loop, against] : {std::pair{&one, &other}, std::pair{&other, &one}})
-        for (std::size_t k = 0; k < loop->size(); ++k) {
-            try {
-                const VertexId a = (*loop)[k], b = (*loop)[(k + 1) % loop->size()];
-                const auto own = outside_of(a, b, *loop);
-                const auto others = own ? outside_of(a, b, *against) : std::nullopt;
-                // No slivers: this is handed down to the cell's parts.
-                if (own && others && *own != *others && sliver_ == before) return true;
-            } catch (const UndecidedSign&) {
-            }
-            sliver_ = before;
+        for (const PlaneRef& side : loop->sides) {
+            const auto own = outside_of(side, *loop);
+            const auto others = own ? outside_of(side, *against) : std::nullopt;
+            if (own && others && *own != *others) return true;
         }
     return false;
 }
 
-// ------------------------------------------------------------------------------------------------ the contour
-
-namespace {
-
-/// A ray's name: its vertex, or the planes in which it lies.
-std::array<std::int32_t, 3> name_of(const Ray& ray) {
-    if (ray.vertex >= 0) return {ray.vertex, -1, -1};
-    return {-1, std::min(ray.first.index, ray.second.index), std::max(ray.first.index, ray.second.index)};
-}
-
-/// Arcs of neighbouring cones on their common plane cancel: what is left are the ends.
-struct Ends {
-    std::map<std::array<std::int32_t, 3>, std::pair<Ray, int>> of_plane;
-
-    void add(const Ray& ray, int count) {
-        auto& end = of_plane.try_emplace(name_of(ray), ray, 0).first->second;
-        end.second += count;
-    }
-};
-
-}  // namespace
-
-Contour visible_contour(const PairShapes& shapes, const Triangle2D& cell, const std::vector<CornerLoop>& lights,
-                        const std::vector<const CornerLoop*>& occluders) {
-    PlanesOverCell planes(shapes, cell);
-    std::vector<Cone> shadows, visible;
-    for (const CornerLoop* occluder : occluders)
-        if (auto shadow = planes.over(*occluder)) shadows.push_back(std::move(*shadow));
-    std::vector<const Cone*> pointers;
-    for (const Cone& shadow : shadows) pointers.push_back(&shadow);
-    for (const CornerLoop& light : lights)
-        if (const auto cone = planes.over(light)) subtract(planes, *cone, pointers, visible);
-
-    std::map<std::int32_t, Ends> ends;
-    for (const Cone& cone : visible)
-        for (std::size_t k = 0, n = cone.rays.size(); k < n; ++k) {
-            Ends& of_plane = ends[cone.planes[k].index];
-            of_plane.add(cone.rays[(k + n - 1) % n], -1);
-            of_plane.add(cone.rays[k], 1);
-        }
-    Contour contour;
-    for (auto& [plane, of_plane] : ends) {
-        std::vector<Ray> from, to;
-        for (const auto& [name, end] : of_plane.of_plane)
-            (end.second < 0 ? from : to).insert((end.second < 0 ? from : to).end(), std::abs(end.second), end.first);
-        if (from.empty()) continue;
-        contour.planes.push_back({planes.edge(plane), {}});
-        for (std::size_t k = 0; k < from.size(); ++k) contour.planes.back().arcs.push_back({from[k], to[k]});
-    }
-    for (std::int32_t plane = 0; plane < planes.plane_count(); ++plane) contour.edges.push_back(planes.edge(plane));
-    contour.sliver = planes.sliver();
-    return contour;
-}
-
-std::vector<const CornerLoop*> between(const PairShapes& shapes, const Triangle2D& cell,
-                                       const std::vector<CornerLoop>& lights,
-                                       const std::vector<const CornerLoop*>& occluders) {
-    PlanesOverCell planes(shapes, cell);
+std::vector<const CornerLoop*> CellView::between(const std::vector<CornerLoop>& lights,
+                                                 const std::vector<const CornerLoop*>& occluders) {
     std::vector<const CornerLoop*> result;
     for (const CornerLoop* occluder : occluders)
         if (!std::all_of(lights.begin(), lights.end(),
-                         [&](const CornerLoop& light) { return planes.apart(light, *occluder); }))
+                         [&](const CornerLoop& light) { return apart(light, *occluder); }))
             result.push_back(occluder);
     return result;
 }

@@ -6,15 +6,22 @@
 namespace cob::radiosity {
 namespace {
 
+constexpr double most_bent = 0.25;
+
 std::vector<Triangle2D> in_four(const Triangle2D& t) {
     const Point2D p = mix(t[0], t[1], 0.5), q = mix(t[1], t[2], 0.5), r = mix(t[2], t[0], 0.5);
     return {{t[0], p, r}, {p, t[1], q}, {r, q, t[2]}, {p, q, r}};
 }
 
-std::vector<Triangle2D> along(const UndecidedSign& event, const Triangle2D& t) {
-    const std::array<double, 3>& h = event.at_corners;
+double largest_of(const UndecidedSign& event) {
     double largest = 0;
-    for (double value : h) largest = std::max(largest, std::abs(value));
+    for (const double c : event.coefficients) largest = std::max(largest, std::abs(c));
+    return largest;
+}
+
+std::vector<Triangle2D> along(const UndecidedSign& event, const Triangle2D& t) {
+    const std::array<double, 6>& h = event.coefficients;
+    const double largest = largest_of(event);
     const auto sign = [&](std::size_t k) { return std::abs(h[k]) <= 1e-9 * largest ? 0 : h[k] > 0 ? 1 : -1; };
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t a = k, b = (k + 1) % 3, c = (k + 2) % 3;
@@ -24,6 +31,54 @@ std::vector<Triangle2D> along(const UndecidedSign& event, const Triangle2D& t) {
         }
         if (sign(a) * sign(b) < 0 && sign(a) * sign(c) < 0) {
             const Point2D p = mix(t[a], t[b], h[a] / (h[a] - h[b])), q = mix(t[a], t[c], h[a] / (h[a] - h[c]));
+            return {{t[a], p, q}, {p, t[b], t[c]}, {p, t[c], q}};
+        }
+    }
+    return in_four(t);
+}
+
+/// Where on the side from corner k it vanishes, as shares of the side: nothing, or all zeros.
+std::vector<double> zeros_on_side(const UndecidedSign& event, std::size_t k) {
+    const double a = event.coefficients[k], b = event.coefficients[k + 3], c = event.coefficients[(k + 1) % 3];
+    const double bend = a - 2 * b + c, half = a - b, discriminant = half * half - a * bend;
+    std::vector<double> zeros;
+    if (!(discriminant > 0)) return zeros;
+    // bend f^2 - 2 half f + a = 0
+    const double q = half + std::copysign(std::sqrt(discriminant), half);
+    for (const double f : {q / bend, a / q})
+        if (f > 0 && f < 1) zeros.push_back(f);
+    return zeros;
+}
+
+/// Along the chord of the conic on which a quadratic determinant vanishes, where that comes in and goes out once and is
+/// not bent much between.
+std::vector<Triangle2D> along_chord(const UndecidedSign& event, const Triangle2D& t) {
+    const double largest = largest_of(event);
+    const auto is_zero = [&](std::size_t k) { return std::abs(event.coefficients[k]) <= 1e-9 * largest; };
+    std::array<std::optional<double>, 3> crossing;
+    int crossings = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::vector<double> zeros = zeros_on_side(event, k);
+        const auto at_corner = [](double f) { return f < 1e-6 || f > 1 - 1e-6; };
+        zeros.erase(std::remove_if(zeros.begin(), zeros.end(), at_corner), zeros.end());
+        if (zeros.size() > 1) return in_four(t);
+        if (!zeros.empty()) crossing[k] = zeros[0], ++crossings;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t a = k, b = (k + 1) % 3, c = (k + 2) % 3;
+        if (crossings == 1 && is_zero(a) && !is_zero(b) && !is_zero(c) && crossing[b]) {
+            const Point2D m = mix(t[b], t[c], *crossing[b]);
+            return {{t[a], t[b], m}, {t[a], m, t[c]}};
+        }
+        if (crossings == 2 && crossing[a] && crossing[c]) {
+            const double f = *crossing[a], g = 1 - *crossing[c];  // from corner a
+            // At the chord's middle, by barycentric coordinates.
+            const double y = f / 2, z = g / 2, x = 1 - y - z;
+            const std::array<double, 6>& h = event.coefficients;
+            const double middle = h[a] * x * x + h[b] * y * y + h[c] * z * z +
+                                  2 * (h[a + 3] * x * y + h[b + 3] * y * z + h[c + 3] * z * x);
+            if (!(std::abs(middle) <= most_bent * largest)) return in_four(t);
+            const Point2D p = mix(t[a], t[b], f), q = mix(t[a], t[c], g);
             return {{t[a], p, q}, {p, t[b], t[c]}, {p, t[c], q}};
         }
     }
@@ -56,7 +111,7 @@ double reach(const Triangle2D& t) {
 }
 
 std::vector<Triangle2D> cut(const Triangle2D& t, const std::optional<UndecidedSign>& event) {
-    return event && event->linear ? along(*event, t) : in_four(t);
+    return !event ? in_four(t) : event->linear ? along(*event, t) : along_chord(*event, t);
 }
 
 double misfit_of_cut(const Triangle2D& t) {

@@ -17,8 +17,8 @@ Point2D centroid(const Triangle2D& t);
 /// The largest distance of a corner from the centroid, rounded up.
 double reach(const Triangle2D& t);
 
-/// Along the line on which an undecided determinant vanishes, where it is linear and that cuts the triangle; else in
-/// four.
+/// Along the line or the chord of the conic on which an undecided determinant vanishes, where that cuts the triangle
+/// once; else in four.
 std::vector<Triangle2D> cut(const Triangle2D& t, const std::optional<UndecidedSign>& event);
 /// At most the area by which the parts and the whole may differ, for the new corners are rounded.
 double misfit_of_cut(const Triangle2D& t);

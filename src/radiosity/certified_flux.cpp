@@ -52,8 +52,9 @@ void CertifiedCubature::evaluate(Cell& cell) const {
     const Interval bounds{0, all};
     double sliver = 0;
     try {
-        cell.occluders = between(shapes_, cell.triangle, lights_, cell.occluders);
-        const Contour contour = visible_contour(shapes_, cell.triangle, lights_, cell.occluders);
+        CellView view(shapes_, cell.triangle);
+        cell.occluders = view.between(lights_, cell.occluders);
+        const Contour contour = view.visible_contour(lights_, cell.occluders);
         cell.flux = flux_over_cell(shapes_, cell.triangle, contour);
         sliver = contour.sliver;
     } catch (const UndecidedSign& event) {
@@ -76,7 +77,7 @@ void CertifiedCubature::evaluate(Cell& cell) const {
 
 Interval CertifiedCubature::unobstructed(const Triangle2D& triangle) const {
     try {
-        const Contour contour = visible_contour(shapes_, triangle, lights_, {});
+        const Contour contour = CellView(shapes_, triangle).visible_contour(lights_, {});
         return flux_over_cell(shapes_, triangle, contour) + Interval(-1, 1) * Interval(contour.sliver * area(triangle));
     } catch (const UndecidedSign&) {
         return Interval::unknown();
@@ -87,7 +88,7 @@ Interval CertifiedCubature::mutual_flux(const std::vector<IntervalPoint>& polygo
     Interval sum = 0;
     for (const CornerLoop& light : lights_) {
         std::vector<IntervalPoint> corners;
-        for (VertexId v : light) corners.push_back(shapes_.corner(v));
+        for (VertexId v : light.corners) corners.push_back(shapes_.corner(v));
         sum += certified_mutual_flux(polygon, corners, width / static_cast<double>(lights_.size()));
     }
     return sum;
@@ -101,7 +102,7 @@ void CertifiedCubature::tighten(Cell& cell) const {
     try {
         const Triangle2D point{middle, middle, middle};
         const Interval value =
-            range_over_cell(shapes_, point, visible_contour(shapes_, point, lights_, cell.occluders));
+            range_over_cell(shapes_, point, CellView(shapes_, point).visible_contour(lights_, cell.occluders));
         const double change =
             motion_over_cell(shapes_, t, lights_, cell.occluders).of_all_sides * reach(t) * (1 + 1e-9);
         const double all = area(t), less = all * (1 - 0x1p-46);
@@ -153,7 +154,10 @@ CertifiedFlux CertifiedCubature::run(const std::vector<ConvexPolygon>& receiving
         cells_.pop_back();
         width_ -= cell.width();
         misfit_ += misfit_of_cut(cell.triangle);
-        for (const Triangle2D& part : cut(cell.triangle, cell.event)) look({part, cell.occluders});
+        // Along lines only: what a chord leaves beside a curve is not certain, either.
+        const bool on_line = cell.event && cell.event->linear;
+        for (const Triangle2D& part : cut(cell.triangle, on_line ? cell.event : std::nullopt))
+            look({part, cell.occluders});
     }
     Interval sum = Interval(-1, 1) * Interval(misfit_);
     for (Cell& cell : cells_) {

@@ -65,7 +65,6 @@ public:
     Ray meet(PlaneRef first, PlaneRef second) const;
     /// The side of the plane to which the ray points, exactly.
     Sign side(PlaneRef plane, const Ray& ray) const;
-    bool not_positive(PlaneRef plane, const Ray& ray) const { return side(plane, ray) != Sign::positive; }
 
     /// The cone over a piece: nothing where x lies in its plane.
     std::optional<Cone> over(PieceId piece);

@@ -1,9 +1,5 @@
 /// \file
-/// Cutting convex cones and subtracting them: by signs alone, whoever knows these.
-///
-/// Planes tells `side(plane, ray)`, `not_positive(plane, ray)`, which may say no, and `meet(first, second)`:
-/// PlanesThroughPoint for one viewpoint, PlanesOverCell for all of a triangle. Signs that hold for all viewpoints of a
-/// region give cones that do.
+/// Cutting convex cones and subtracting them: by signs alone.
 #pragma once
 
 #include "radiosity/cone.hpp"
@@ -22,21 +18,19 @@ struct SplitCone {
     std::optional<Cone> positive, negative;
 };
 
-/// Does one plane of `cone` have all of `other` on its outside? May say no.
-template <class Planes>
-bool separates(const Planes& planes, const Cone& cone, const Cone& other) {
+/// Does one plane of `cone` have all of `other` on its outside?
+inline bool separates(const PlanesThroughPoint& planes, const Cone& cone, const Cone& other) {
     for (const PlaneRef& plane : cone.planes) {
         bool outside = true;
         for (std::size_t k = 0; k < other.rays.size() && outside; ++k)
-            outside = planes.not_positive(plane, other.rays[k]);
+            outside = planes.side(plane, other.rays[k]) != Sign::positive;
         if (outside) return true;
     }
     return false;
 }
 
 /// The part on the positive side, given the sides of the rays: some positive, some negative.
-template <class Planes>
-Cone keep(const Planes& planes, const Cone& cone, PlaneRef plane, const SideSigns& sides) {
+inline Cone keep(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane, const SideSigns& sides) {
     const std::size_t n = cone.planes.size();
     // Begin behind the ray that is the last not to be positive, so that what is kept is one run.
     std::size_t start = 0;
@@ -57,8 +51,7 @@ Cone keep(const Planes& planes, const Cone& cone, PlaneRef plane, const SideSign
     return result;
 }
 
-template <class Planes>
-SplitCone split(const Planes& planes, const Cone& cone, PlaneRef plane) {
+inline SplitCone split(const PlanesThroughPoint& planes, const Cone& cone, PlaneRef plane) {
     SideSigns sides;
     bool positive = false, negative = false;
     for (const Ray& ray : cone.rays) {
@@ -81,8 +74,8 @@ SplitCone split(const Planes& planes, const Cone& cone, PlaneRef plane) {
 
 /// Appends to `rest` what of the cone lies outside all shadows, as cones without common inside; what has no inside is
 /// dropped. Large shadows should come first.
-template <class Planes>
-void subtract(const Planes& planes, const Cone& cone, std::vector<const Cone*> shadows, std::vector<Cone>& rest) {
+inline void subtract(const PlanesThroughPoint& planes, const Cone& cone, std::vector<const Cone*> shadows,
+                     std::vector<Cone>& rest) {
     // Each part goes on with the shadows that meet it alone, so that far ones are not asked again and again.
     shadows.erase(std::remove_if(shadows.begin(), shadows.end(),
                                  [&](const Cone* shadow) {

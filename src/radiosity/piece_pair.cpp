@@ -3,6 +3,9 @@
 #include "radiosity/cell_flux.hpp"
 #include "radiosity/cells.hpp"
 #include "radiosity/certified_flux.hpp"
+#include "radiosity/lambert_sum.hpp"
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 
@@ -62,6 +65,13 @@ std::vector<Vector3<double>> relative(const ReceiverFrame& frame, const ConvexPo
     return corners;
 }
 
+double form_factor_to(std::vector<Vector3<double>> corners, const Vector3<double>& from,
+                      const Vector3<double>& normal) {
+    for (Vector3<double>& corner : corners) corner = corner - from;
+    return lambert_sum(normal, corners.data(), static_cast<int>(corners.size())).value /
+           (2 * boost::math::constants::pi<double>());
+}
+
 QuadratureResult unobstructed_flux(const PiecePair& pair, const ReceiverFrame& frame) {
     QuadratureResult result;
     for (const ConvexPolygon& a : pair.receiving)
@@ -106,17 +116,42 @@ PairParts parts_of(const PairContext& context, const PiecePair& pair) {
     return parts;
 }
 
-/// Is it certain that what is seen of the light has one structure over a triangle?
+/// Signs are taken for decided where what has the other one is, against the largest value, at most this; so many of
+/// them.
+constexpr double most_doubt = 0.25;
+constexpr std::size_t most_doubtful = 8;
+
+/// Is it certain, or nearly, that what is seen of the light has one structure over a triangle?
 Structure structure_of(const PairParts& parts, const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
-    Structure structure;
-    structure.occluders = between(parts.shapes, t, parts.lights, occluders);
+    Structure structure{{}, 0, {}, {}, CellView(parts.shapes, t)};
+    CellView& view = structure.view;
+    structure.occluders = view.between(parts.lights, occluders);
     try {
-        visible_contour(parts.shapes, t, parts.lights, structure.occluders);
+        structure.contour = view.visible_contour(parts.lights, structure.occluders, most_doubt);
+        const std::vector<DoubtfulSign>& doubtful = structure.contour.doubtful;
+        if (doubtful.size() <= most_doubtful) return structure;
+        structure.event = std::max_element(doubtful.begin(), doubtful.end(), [](const auto& a, const auto& b) {
+                              return a.share < b.share;
+                          })->sign;
     } catch (const UndecidedSign& event) {
         structure.event = event;
-        structure.change = motion_over_cell(parts.shapes, t, parts.lights, structure.occluders).of_one_side * reach(t);
     }
+    const Motion motion = motion_over_cell(parts.shapes, t, parts.lights, structure.occluders);
+    const double turned = motion.of_directions * reach(t);  // beyond an event, what it opens is so wide and so long
+    structure.change = std::min(motion.of_one_side * reach(t), turned * turned);
     return structure;
+}
+
+/// Without rounding but that of the values themselves.
+PointValue exact_value(const PairContext& context, const PairParts& parts, const PiecePair& pair,
+                       const ExactPoint& where, const std::vector<const CornerLoop*>& occluders) {
+    std::vector<PieceId> pieces;
+    for (const CornerLoop* occluder : occluders)
+        pieces.push_back(parts.pieces[static_cast<std::size_t>(occluder - parts.occluders.data())]);
+    const ReceiverNormal normal(area_vector(polygon_of(context.scene, context.scene.piece(pair.receiver))));
+    const LightPieces light{{pair.light}, context.polygons[context.scene.piece(pair.light).polygon].on_top};
+    const LightView view = view_light(Viewpoint(context.pieces, where), normal, light, pieces, Precision::binary64);
+    return {view.unobstructed, view.visible};
 }
 
 }  // namespace
@@ -150,20 +185,22 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     if (pair.passage == Passage::unobstructed) return unobstructed_flux(pair, frame);
 
     const PairParts parts = parts_of(context, pair);
-    const ReceiverNormal normal(area_vector(plane));
-    const LightPieces light{{pair.light}, context.polygons[context.scene.piece(pair.light).polygon].on_top};
     const std::vector<Vector3<double>> sender = relative(frame, pair.whole_sending);
     ReceiverIntegrand integrand;
     integrand.structure = [&](const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
         return structure_of(parts, t, occluders);
     };
-    integrand.at_point = [&](const Point2D& where, const std::vector<const CornerLoop*>& occluders) {
-        std::vector<PieceId> pieces;
-        for (const CornerLoop* occluder : occluders)
-            pieces.push_back(parts.pieces[static_cast<std::size_t>(occluder - parts.occluders.data())]);
-        const LightView view =
-            view_light(Viewpoint(context.pieces, frame.point_at(where)), normal, light, pieces, Precision::binary64);
-        return PointValue{view.unobstructed, view.visible};
+    integrand.by_contour = [&](const Point2D& where, const Contour& contour) {
+        const double unobstructed = form_factor_to(sender, frame.relative_at(where), frame.normal());
+        return PointValue{unobstructed, std::clamp(form_factor_at(parts.shapes, where, contour), 0.0, unobstructed)};
+    };
+    integrand.exact = [&](const Point2D& where, const Structure& around) {
+        try {
+            return integrand.by_contour(where,
+                                        CellView(around.view, where).visible_contour(parts.lights, around.occluders));
+        } catch (const UndecidedSign&) {
+            return exact_value(context, parts, pair, frame.point_at(where), around.occluders);
+        }
     };
     integrand.unobstructed = [&](const Triangle2D& t) {
         const bool left = turn(t) > 0;

@@ -26,6 +26,7 @@ public:
     Vector3<double> local(const RationalPoint& point) const { return turned(relative(point)); }
     /// The point at (s, t), rounded to binary64 or, far from the origin, to a pair of binary64.
     ExactPoint point_at(const Point2D& where) const;
+    const Vector3<double>& normal() const { return normal_; }
     /// The same, relative as above.
     Vector3<double> relative_at(const Point2D& where) const { return where.s * s_ + where.t * t_; }
 

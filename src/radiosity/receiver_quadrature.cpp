@@ -31,27 +31,30 @@ const TriangleRule<n>& triangle_rule() {
     return rule;
 }
 
-/// How far values at the points of a rule are from the nearest quadratic polynomial (least squares): the largest of the
-/// distances. A rule with positive weights is off by at most twice the distance from the best polynomial that it
+/// How far values at the points of a rule are from the nearest polynomial of a degree (least squares): the largest of
+/// the distances. A rule with positive weights is off by at most twice the distance from the best polynomial that it
 /// integrates exactly; and unlike the difference of two rules, this does not vanish by chance where the values bend.
-class QuadraticResidual {
+template <std::size_t n, std::size_t degree>
+class PolynomialResidual {
 public:
-    static constexpr std::size_t n = 4, points = n * n;
+    static constexpr std::size_t points = n * n;
     using Vector = std::array<double, points>;
 
-    QuadraticResidual() {
-        // Gram and Schmidt over 1, x, y, x^2, x y, y^2; twice, for rounding.
+    PolynomialResidual() {
+        // Gram and Schmidt over 1, x, y, x^2, x y, y^2, ...; twice, for rounding.
         const TriangleRule<n>& rule = triangle_rule<n>();
-        for (std::size_t j = 0; j < terms; ++j) {
-            for (std::size_t k = 0; k < points; ++k) {
-                const double y = rule.f[k] * rule.g[k], x = rule.f[k] - y;
-                basis_[j][k] = std::array<double, terms>{1, x, y, x * x, x * y, y * y}[j];
+        std::size_t j = 0;
+        for (std::size_t total = 0; total <= degree; ++total)
+            for (std::size_t power = 0; power <= total; ++power, ++j) {
+                for (std::size_t k = 0; k < points; ++k) {
+                    const double y = rule.f[k] * rule.g[k], x = rule.f[k] - y;
+                    basis_[j][k] = std::pow(x, static_cast<int>(total - power)) * std::pow(y, static_cast<int>(power));
+                }
+                for (int twice = 0; twice < 2; ++twice)
+                    for (std::size_t i = 0; i < j; ++i) remove(basis_[i], basis_[j]);
+                const double size = std::sqrt(product(basis_[j], basis_[j]));
+                for (double& b : basis_[j]) b /= size;
             }
-            for (int twice = 0; twice < 2; ++twice)
-                for (std::size_t i = 0; i < j; ++i) remove(basis_[i], basis_[j]);
-            const double size = std::sqrt(product(basis_[j], basis_[j]));
-            for (double& b : basis_[j]) b /= size;
-        }
     }
 
     double operator()(Vector values) const {
@@ -62,7 +65,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t terms = 6;
+    static constexpr std::size_t terms = (degree + 1) * (degree + 2) / 2;
 
     static double product(const Vector& a, const Vector& b) {
         double sum = 0;
@@ -82,18 +85,21 @@ private:
 /// hundredth.
 constexpr double residual_share = 0.25;
 
-/// What the samples of a cell of unknown structure may have missed, as shares of its area: a strip beside a line or a
-/// region between curves, the less likely the smaller the cell, relative to the form factor; and what is narrow because
-/// a side is near, by the square of the most that one side can change, up to `missed_most`.
-constexpr double missed_at_line = 1e-3, missed_at_curve = 2e-4, missed_beside_side = 1e-6, missed_most = 0.01;
-constexpr double small_cell = 1.0 / 16;  ///< Of the receiver's area.
+/// What the samples of a cell of unknown structure may have missed, as shares of what one side's motion over the cell
+/// may change, and at most of what would be seen of the whole light. Cells are cut before this matters wherever cutting
+/// tells their structure; smaller shares were found to be too small behind thin shadows of far lights.
+constexpr double missed_by_motion = 0.002, missed_most = 0.02;
+
+/// Larger cells of unknown structure, by their share of the receiver's area, are cut without a look.
+constexpr double worth_sampling = 1e-3;
 
 /// A triangle and its share of the integral.
 struct Cell {
     Triangle2D triangle;
     std::vector<const CornerLoop*> occluders;
     Integral visible{};
-    std::optional<UndecidedSign> event{};
+    std::optional<UndecidedSign> event{};  ///< Where to cut it; nothing where it is smooth.
+    bool undecided = false;                ///< Of unknown structure, and nothing was sampled.
 };
 
 class Cubature {
@@ -108,17 +114,23 @@ private:
     struct Parts {
         Integral visible, hidden;
         double least_error() const { return std::min(visible.error, hidden.error); }
+        /// What a lower rule's difference says may be less. A share of its error stays: two rules may agree by chance.
+        Parts better_than(const Parts& lower) const {
+            const auto better = [](const Integral& high, const Integral& low) {
+                const double difference = std::max(2 * std::abs(high.value - low.value), low.error / 16);
+                return Integral{high.value, std::min(high.error, difference)};
+            };
+            return {better(visible, lower.visible), better(hidden, lower.hidden)};
+        }
     };
-    template <std::size_t n>
-    Parts sample(const Cell& cell, std::array<PointValue, n * n>& values);
-    /// With the distances from a quadratic polynomial as errors.
-    Parts sampled(const Cell& cell);
-    /// By a higher rule; errors from the differences.
-    template <std::size_t n>
-    Parts refined(const Cell& cell, const Parts& lower);
-    double missed(const Cell& cell, double change, const Parts& parts) const;
+    /// By the rule of n x n points, with the distances from a polynomial as errors.
+    template <std::size_t n, std::size_t degree, class F>
+    Parts sample(const Triangle2D& triangle, const F& value_at);
+    double misfit(const Structure& structure, Cell& cell);
     void evaluate(Cell& cell);
+    void sample_undecided(Cell& cell, const Structure& structure);
     void look(Cell cell);
+    bool is_done() const;
 
     static bool smaller(const Cell& a, const Cell& b) { return a.visible.error < b.visible.error; }
 
@@ -126,65 +138,64 @@ private:
     const QuadratureOptions& options_;
     std::vector<Cell> cells_;  ///< A heap, the largest error first.
     double area_ = 0, error_ = 0;
-    std::uint64_t evaluations_ = 0, looked_ = 0;
+    std::uint64_t evaluations_ = 0, looked_ = 0, undecided_ = 0;
 };
 
-template <std::size_t n>
-Cubature::Parts Cubature::sample(const Cell& cell, std::array<PointValue, n * n>& values) {
+template <std::size_t n, std::size_t degree, class F>
+Cubature::Parts Cubature::sample(const Triangle2D& triangle, const F& value_at) {
+    static const PolynomialResidual<n, degree> residual;
     const TriangleRule<n>& rule = triangle_rule<n>();
+    typename PolynomialResidual<n, degree>::Vector visible, hidden;
     Parts parts;
     for (std::size_t k = 0; k < n * n; ++k) {
-        values[k] = integrand_.at_point(rule.point(cell.triangle, k), cell.occluders);
-        parts.visible.value += rule.weight[k] * values[k].visible;
-        parts.hidden.value += rule.weight[k] * (values[k].unobstructed - values[k].visible);
+        const PointValue value = value_at(rule.point(triangle, k));
+        visible[k] = value.visible, hidden[k] = value.unobstructed - value.visible;
+        parts.visible.value += rule.weight[k] * visible[k];
+        parts.hidden.value += rule.weight[k] * hidden[k];
     }
     evaluations_ += n * n;
-    const double all = area(cell.triangle);
+    const double all = area(triangle);
     parts.visible.value *= all, parts.hidden.value *= all;
+    parts.visible.error = residual_share * all * residual(visible);
+    parts.hidden.error = residual_share * all * residual(hidden);
     return parts;
 }
 
-Cubature::Parts Cubature::sampled(const Cell& cell) {
-    static const QuadraticResidual residual;
-    std::array<PointValue, QuadraticResidual::points> values;
-    Parts parts = sample<QuadraticResidual::n>(cell, values);
-    QuadraticResidual::Vector visible, hidden;
-    for (std::size_t k = 0; k < values.size(); ++k)
-        visible[k] = values[k].visible, hidden[k] = values[k].unobstructed - values[k].visible;
-    const double share = residual_share * area(cell.triangle);
-    parts.visible.error = share * residual(visible), parts.hidden.error = share * residual(hidden);
-    return parts;
-}
-
-template <std::size_t n>
-Cubature::Parts Cubature::refined(const Cell& cell, const Parts& lower) {
-    std::array<PointValue, n * n> values;
-    Parts parts = sample<n>(cell, values);
-    // A share of the lower rule's error stays: two rules may agree by chance.
-    const auto error = [](const Integral& high, const Integral& low) {
-        return std::max(2 * std::abs(high.value - low.value), low.error / 16);
-    };
-    parts.visible.error = error(parts.visible, lower.visible);
-    parts.hidden.error = error(parts.hidden, lower.hidden);
-    return parts;
-}
-
-double Cubature::missed(const Cell& cell, double change, const Parts& parts) const {
-    const double all = area(cell.triangle), unlikely = std::min(1.0, all / (small_cell * area_));
-    return (cell.event->linear ? missed_at_line : missed_at_curve) * unlikely *
-               (parts.visible.value + parts.hidden.value) +
-           std::min(missed_most, missed_beside_side * change * change) * all;
+/// What the contour may be off by, integrated, where it is not certain: for each doubtful sign the difference where
+/// that is wrong most, on the share of the cell where it is wrong at all. What is seen wrongly is a triangle whose
+/// sides grow with the determinant. The cell is to be cut at the worst of them.
+double Cubature::misfit(const Structure& structure, Cell& cell) {
+    double sum = 0, largest = 0;
+    for (const DoubtfulSign& doubtful : structure.contour.doubtful) {
+        const double off = std::abs(integrand_.exact(doubtful.worst, structure).visible -
+                                    integrand_.by_contour(doubtful.worst, structure.contour).visible);
+        ++evaluations_;
+        const double missed = off * doubtful.beyond * doubtful.beyond * doubtful.share * area(cell.triangle);
+        sum += missed;
+        if (missed > largest) largest = missed, cell.event = doubtful.sign;
+    }
+    return sum;
 }
 
 void Cubature::evaluate(Cell& cell) {
     Structure structure = integrand_.structure(cell.triangle, cell.occluders);
-    cell.event = structure.event;
-    cell.occluders = std::move(structure.occluders);
-    const double share = options_.tolerance * area(cell.triangle) / area_ / 4;
-    Parts parts = sampled(cell);
+    const double all = area(cell.triangle);
+    if (structure.event) {
+        cell.event = structure.event;
+        cell.visible = {all / 2, all / 2};  // between nothing and all
+        cell.undecided = all > worth_sampling * area_;
+        if (!cell.undecided) sample_undecided(cell, structure);
+        cell.occluders = std::move(structure.occluders);
+        return;
+    }
+    const double share = options_.tolerance * all / area_ / 4;
+    const double missed = misfit(structure, cell);
+    const auto value_at = [&](const Point2D& point) { return integrand_.by_contour(point, structure.contour); };
+    Parts parts = sample<4, 2>(cell.triangle, value_at);
     // Of one structure, it is smooth: higher rules pay.
-    if (!cell.event && parts.least_error() > share) parts = refined<5>(cell, parts);
-    if (!cell.event && parts.least_error() > share) parts = refined<7>(cell, parts);
+    const auto falls_short = [&] { return missed <= share && parts.least_error() > share; };
+    if (falls_short()) parts = sample<6, 4>(cell.triangle, value_at).better_than(parts);
+    if (falls_short()) parts = sample<9, 7>(cell.triangle, value_at).better_than(parts);
     if (parts.visible.error <= share || parts.visible.error <= parts.hidden.error) {
         cell.visible = parts.visible;
     } else {
@@ -192,7 +203,20 @@ void Cubature::evaluate(Cell& cell) {
         const Integral whole = integrand_.unobstructed(cell.triangle);
         cell.visible = {whole.value - parts.hidden.value, whole.error + parts.hidden.error};
     }
-    if (cell.event) cell.visible.error += missed(cell, structure.change, parts);
+    if (cell.visible.error > missed) cell.event.reset();
+    cell.visible.error += missed;
+    cell.occluders = std::move(structure.occluders);
+}
+
+/// Where the budget does not suffice to know the structure: as well as samples tell.
+void Cubature::sample_undecided(Cell& cell, const Structure& structure) {
+    const auto value_at = [&](const Point2D& point) { return integrand_.exact(point, structure); };
+    const Parts parts = sample<4, 2>(cell.triangle, value_at);
+    const double all = area(cell.triangle);
+    const double missed =
+        std::min(missed_most * (parts.visible.value + parts.hidden.value), missed_by_motion * structure.change * all);
+    if (parts.visible.error + missed < cell.visible.error)
+        cell.visible = {parts.visible.value, parts.visible.error + missed};
 }
 
 void Cubature::look(Cell cell) {
@@ -200,23 +224,33 @@ void Cubature::look(Cell cell) {
     if (area(cell.triangle) == 0) return;
     evaluate(cell);
     error_ += cell.visible.error;
+    undecided_ += cell.undecided;
     cells_.push_back(std::move(cell));
     std::push_heap(cells_.begin(), cells_.end(), smaller);
+}
+
+bool Cubature::is_done() const {
+    const std::uint64_t reserved = 16 * undecided_;
+    return cells_.empty() || error_ <= options_.tolerance || evaluations_ + reserved >= options_.max_evaluations ||
+           looked_ >= options_.max_evaluations;
 }
 
 QuadratureResult Cubature::run(const std::vector<Triangle2D>& triangles,
                                const std::vector<const CornerLoop*>& occluders) {
     for (const Triangle2D& triangle : triangles) area_ += area(triangle);
     for (const Triangle2D& triangle : triangles) look({triangle, occluders});
-    while (!cells_.empty() && error_ > options_.tolerance && evaluations_ < options_.max_evaluations) {
+    while (!is_done()) {
         std::pop_heap(cells_.begin(), cells_.end(), smaller);
         const Cell cell = std::move(cells_.back());
         cells_.pop_back();
         error_ -= cell.visible.error;
+        undecided_ -= cell.undecided;
         for (const Triangle2D& part : cut(cell.triangle, cell.event)) look({part, cell.occluders});
     }
     QuadratureResult result;
-    for (const Cell& cell : cells_) {
+    for (Cell& cell : cells_) {
+        if (cell.undecided && error_ > options_.tolerance)
+            sample_undecided(cell, integrand_.structure(cell.triangle, cell.occluders));
         result.visible.value += cell.visible.value;
         result.visible.error += cell.visible.error;
     }

@@ -1,10 +1,11 @@
 /// \file
 /// The flux that a receiver gets from an obstructed light: adaptive cubature of the exact values at its points.
 ///
-/// The receiver is cut into triangles along the lines at which the visible part of the light changes its structure
-/// (the events EV and VE of discontinuity meshing; Heckbert 1992, Lischinski, Tampieri, Greenberg 1992), each found
-/// where it is needed: as the determinant that keeps a triangle's structure from being certain (cell_view.hpp). The
-/// curves of three edges are left to refinement.
+/// The receiver is cut into triangles along the lines and the chords of the curves at which the visible part of the
+/// light changes its structure (the events EV, VE and EEE of discontinuity meshing; Heckbert 1992, Lischinski,
+/// Tampieri, Greenberg 1992), each found where it is needed: as the determinant that keeps a triangle's structure from
+/// being certain (cell_signs.hpp). Where it is certain, the integrand is analytic, and its values follow from one
+/// contour.
 #pragma once
 
 #include "radiosity/cell_view.hpp"
@@ -24,23 +25,28 @@ struct PointValue {
 
 /// What is certain of a triangle.
 struct Structure {
-    /// Nothing where the visible region certainly has one structure all over the triangle: the form factor is smooth.
+    /// Nothing where the visible region certainly, or but for doubtful signs, has one structure all over the triangle.
     std::optional<UndecidedSign> event;
-    double change = 0;  ///< What one side's motion may change the form factor by at most, where there is an event.
+    double change = 0;  ///< What one side's motion may change the form factor by, where there is an event.
     std::vector<const CornerLoop*> occluders;  ///< Those that may matter to it.
+    Contour contour;                           ///< Of the visible region, where there is no event.
+    CellView view;
 };
 
 struct ReceiverIntegrand {
     /// Given those occluders of a triangle around that may matter to it.
     std::function<Structure(const Triangle2D&, const std::vector<const CornerLoop*>&)> structure;
-    std::function<PointValue(const Point2D&, const std::vector<const CornerLoop*>&)> at_point;
+    /// At a point of a triangle of whatever structure.
+    std::function<PointValue(const Point2D&, const Structure&)> exact;
+    /// By the contour of the triangle: the same but for rounding, and cheaper.
+    std::function<PointValue(const Point2D&, const Contour&)> by_contour;
     std::function<Integral(const Triangle2D&)> unobstructed;  ///< Integral over a triangle, in closed form.
 };
 
 struct QuadratureOptions {
-    double tolerance = 1e-6;                 ///< Of the integral, absolute.
-    std::uint64_t max_evaluations = 200000;  ///< Points; beyond, the error is what it is.
-    std::function<void()> pulse{};           ///< Called now and then, if any; may throw to end the work.
+    double tolerance = 1e-6;                  ///< Of the integral, absolute.
+    std::uint64_t max_evaluations = 1000000;  ///< Points; beyond, the error is what it is.
+    std::function<void()> pulse{};            ///< Called now and then, if any; may throw to end the work.
 };
 
 struct QuadratureResult {

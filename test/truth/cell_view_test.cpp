@@ -1,12 +1,21 @@
-// The shapes of a certified pair: what is decided exactly, once for all points of the receiver's plane.
+// What is seen from every point of a cell at once: against exact cones over single points.
 #include "radiosity/cell_view.hpp"
+
+#include "radiosity/cell_flux.hpp"
+#include "radiosity/cells.hpp"
+#include "radiosity/visible_light.hpp"
+#include "truth/rooms.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
+#include <random>
 
 namespace cob::radiosity {
 namespace {
+
+using test::RoomBuilder;
 
 // A receiver's first, second and last corner may lie on one line: it is the plane that decides, not that line.
 TEST(PairShapes, DegenerateOnAStraightSideIsNotDegenerateOnThePlane) {
@@ -14,15 +23,191 @@ TEST(PairShapes, DegenerateOnAStraightSideIsNotDegenerateOnThePlane) {
     for (int first = 0; first < 4; ++first) {
         PairShapes shapes(receiver, 1);
         const CornerLoop upright = shapes.add({{0, 0, 1}, {1, 0, 1}, {0, 0, 2}});  // over the side y = 0
-        const VertexId a = upright[0], b = upright[1], c = upright[2];
-        EXPECT_FALSE(shapes.always_in_plane(a, b, c));
-        EXPECT_FALSE(shapes.always_in_line({a, b, b, c, c, a}));
-
-        const VertexId beyond = shapes.add({{2, 0, 1}, {2, 1, 3}, {3, 0, 1}})[0];
-        EXPECT_TRUE(shapes.always_in_plane(a, b, beyond)) << "three points on one line";
-        EXPECT_TRUE(shapes.always_in_line({a, b, a, c, a, beyond})) << "three sides through one point";
+        const CornerLoop beyond = shapes.add({{2, 0, 1}, {2, 1, 3}, {3, 0, 1}});   // its last side goes on with ab
+        const VertexId b = upright.corners[1], c = upright.corners[2];
+        const std::int32_t ab = upright.sides[0].index, bc = upright.sides[1].index, ca = upright.sides[2].index;
+        EXPECT_FALSE(shapes.always_in_plane(ab, c));
+        EXPECT_FALSE(shapes.always_in_line({ab, bc, ca}));
+        EXPECT_TRUE(shapes.always_in_plane(ab, b)) << "its own end";
+        EXPECT_TRUE(shapes.always_in_plane(ab, beyond.corners[0])) << "three points on one line";
+        EXPECT_TRUE(shapes.always_in_line({ab, ca, beyond.sides[2].index})) << "two sides in one plane";
+        EXPECT_EQ(shapes.common_side(ab, beyond), std::optional<std::size_t>(2));
+        EXPECT_EQ(shapes.common_side(bc, beyond), std::nullopt);
         std::rotate(receiver.begin(), receiver.begin() + 1, receiver.end());
     }
+}
+
+// The unit square on the floor receives, polygon 1 sends, the others stand between.
+struct Room {
+    explicit Room(const RoomBuilder& builder)
+        : scene(builder.build()), pieces(scene), receiver(polygon(0)), shapes(receiver, 1) {
+        lights.push_back(shapes.add(clip(polygon(1), front_of(receiver))));
+        for (PieceId piece = 2; piece < static_cast<PieceId>(scene.pieces().size()); ++piece) {
+            ConvexPolygon part = clip(polygon(piece), front_of(receiver));
+            if (!part.empty()) part = clip(part, front_of(polygon(1)));
+            if (part.empty()) continue;
+            loops.push_back(shapes.add(part));
+            numbers.push_back(piece);
+        }
+        for (const CornerLoop& loop : loops) occluders.push_back(&loop);
+    }
+    ConvexPolygon polygon(PieceId piece) const { return polygon_of(scene, scene.piece(piece)); }
+
+    // By exact cones over the point.
+    double visible_from(const Point2D& point) const {
+        return view_light(Viewpoint(pieces, ExactPoint(Point{point.s, point.t, 0})), ReceiverNormal({0, 0, 1}),
+                          {{1}, {}}, numbers, Precision::certain)
+            .visible;
+    }
+
+    Scene scene;
+    PreparedPieces pieces;
+    ConvexPolygon receiver;
+    PairShapes shapes;
+    std::vector<CornerLoop> lights, loops;
+    std::vector<PieceId> numbers;
+    std::vector<const CornerLoop*> occluders;
+};
+
+class CellViews : public ::testing::Test {
+protected:
+    double number() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+    double on_grid() { return static_cast<double>(random_() % 5) / 4; }
+
+    // Random triangles, or on a grid, where they touch, cross and share lines; or a box on the floor.
+    RoomBuilder room(int kind) {
+        RoomBuilder result;
+        result.sheet(0, 0, 1, 1, 0, true);
+        if (random_() % 2)
+            result.sheet(0, 0, 1, 1, 1, false);
+        else
+            result.polygon({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}});  // with a common edge
+        if (kind == 2) {
+            const double x = 0.25 * number(), y = 0.25 * number(), u = 0.25 + 0.25 * number(), v = 0.25 * number(),
+                         z = random_() % 2 ? 0.25 : 0;
+            const std::vector<Point> base{{x + v, y, z}, {x + v + u, y + v, z}, {x + u, y + u + v, z}, {x, y + u, z}};
+            const auto at = [&](std::size_t k, double height) { return base[k % 4] + Point{0, 0, height}; };
+            for (std::size_t k = 0; k < 4; ++k) result.polygon({at(k, 0), at(k + 1, 0), at(k + 1, 0.5), at(k, 0.5)});
+            result.polygon({at(0, 0.5), at(1, 0.5), at(2, 0.5), at(3, 0.5)});
+            return result;
+        }
+        for (std::uint64_t count = 2 + random_() % 4; count > 0; --count) {
+            const auto point = [&] {
+                if (kind == 1) return Point{on_grid(), on_grid(), on_grid()};
+                return Point{number(), number(), number()};
+            };
+            const Point a = point(), b = point(), c = point();
+            if (!(cross(b - a, c - a) == Point{})) result.polygon({a, b, c});
+        }
+        return result;
+    }
+    Triangle2D cell() {
+        const Point2D corner{number(), number()};
+        const double size = std::ldexp(1, -static_cast<int>(random_() % 7));
+        const auto inside = [&](double at) { return std::min(1.0, at + size * number()); };
+        return {corner, {inside(corner.s), inside(corner.t)}, {inside(corner.s), inside(corner.t)}};
+    }
+    Point2D point_in(const Triangle2D& t) { return mix(t[0], mix(t[1], t[2], number()), 0.02 + 0.96 * number()); }
+
+    std::mt19937_64 random_{11};
+};
+
+// Wherever the structure is certain, the contour's form factor is the exact cones' at every point of the cell.
+TEST_F(CellViews, ContoursOfCellsAreThoseOfTheirPoints) {
+    std::array<int, 3> certain{}, undecided{}, partly{};
+    for (int k = 0; k < 600; ++k) {
+        const int kind = k % 3;
+        const Room room(this->room(kind));
+        const Triangle2D cell = this->cell();
+        CellView view(room.shapes, cell);
+        const auto occluders = view.between(room.lights, room.occluders);
+        try {
+            const Contour contour = view.visible_contour(room.lights, occluders);
+            ++certain[kind];
+            for (int i = 0; i < 3; ++i) {
+                const Point2D point = point_in(cell);
+                const double expected = room.visible_from(point);
+                ASSERT_NEAR(form_factor_at(room.shapes, point, contour), expected, 1e-12) << k;
+                partly[kind] += expected > 1e-6 && !occluders.empty();
+            }
+        } catch (const UndecidedSign&) {
+            ++undecided[kind];
+        }
+    }
+    for (int kind = 0; kind < 3; ++kind) {
+        EXPECT_GT(certain[kind], 40);
+        EXPECT_GT(undecided[kind], 20);
+        EXPECT_GT(partly[kind], 40);
+    }
+}
+
+// Of a single point nearly always, whatever is known of the cell around.
+TEST_F(CellViews, ContoursOfPoints) {
+    int decided = 0;
+    for (int k = 0; k < 300; ++k) {
+        const Room room(this->room(k % 3));
+        const Triangle2D cell = this->cell();
+        CellView around(room.shapes, cell);
+        const auto occluders = around.between(room.lights, room.occluders);
+        const Point2D point = point_in(cell);
+        try {
+            const Contour contour = CellView(around, point).visible_contour(room.lights, occluders);
+            ASSERT_NEAR(form_factor_at(room.shapes, point, contour), room.visible_from(point), 1e-12) << k;
+            ++decided;
+        } catch (const UndecidedSign&) {
+        }
+    }
+    EXPECT_GT(decided, 290);
+}
+
+// Where only quadratic signs are doubtful, the contour is that of the centroid, and what it is off by elsewhere is no
+// more than where a doubtful sign is wrong most, times what that is told to be beyond.
+TEST_F(CellViews, DoubtfulContoursAreTheCentroids) {
+    int doubtful = 0;
+    for (int k = 0; k < 1500; ++k) {
+        const Room room(this->room(0));
+        const Triangle2D cell = this->cell();
+        CellView view(room.shapes, cell);
+        try {
+            const Contour contour = view.visible_contour(room.lights, room.occluders, 0.25);
+            if (contour.doubtful.empty()) continue;
+            ++doubtful;
+            const auto off = [&](const Point2D& point) {
+                return std::abs(form_factor_at(room.shapes, point, contour) - room.visible_from(point));
+            };
+            ASSERT_LE(off(centroid(cell)), 1e-12) << k;
+            double most = 1e-12;
+            for (const DoubtfulSign& sign : contour.doubtful) most += off(sign.worst) * sign.beyond * sign.beyond;
+            for (int i = 0; i < 8; ++i) ASSERT_LE(off(point_in(cell)), most) << k;
+        } catch (const UndecidedSign&) {
+        }
+    }
+    EXPECT_GT(doubtful, 20);
+}
+
+// Parts of a cut cover the triangle once; a line or a chord has what is on either side of it in parts of its own.
+TEST(Cells, CutsCoverTheTriangle) {
+    const Triangle2D t{{{0, 0}, {1, 0.25}, {0.25, 1}}};
+    const std::vector<UndecidedSign> events = {
+        {true, {1, -1, -2, 0, 0, 0}},    {true, {0, 1, -1, 0, 0, 0}},      {false, {1, -1, -2, 0.25, -1, -0.5}},
+        {false, {0, 1, -1, 0.5, 0, -1}}, {false, {0, 0, 0, 1, -1, 0.5}},   {false, {1, 1, 1, -2, 1, 1}},
+        {false, {1, -1, 1, 0, 0, 1}},    {false, {1e-20, 0, 0, 1, -1, 0}}, {false, {1, -1e-15, -1, 0.5, 0, 0}}};
+    for (const UndecidedSign& event : events) {
+        const std::vector<Triangle2D> parts = cut(t, event);
+        double sum = 0;
+        for (const Triangle2D& part : parts) {
+            EXPECT_GT(turn(part), 0);
+            EXPECT_LT(area(part), 0.999 * area(t));
+            sum += area(part);
+        }
+        EXPECT_NEAR(sum, area(t), 1e-14);
+    }
+    EXPECT_EQ(cut(t, events[0]).size(), 3u);
+    EXPECT_EQ(cut(t, events[1]).size(), 2u);
+    EXPECT_EQ(cut(t, events[2]).size(), 3u);
+    EXPECT_EQ(cut(t, events[3]).size(), 2u);
+    EXPECT_EQ(cut(t, events[4]).size(), 4u);
+    EXPECT_EQ(cut(t, events[5]).size(), 4u);
 }
 
 }  // namespace

@@ -73,7 +73,22 @@ TEST(ObstructedRooms, RowsSumToOneAroundCrossingAndBentPolygons) {
     RoomBuilder room = cube();
     add_two_sided(room, {{0.25, 0.25, 0.25}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.25}, {0.25, 0.75, 0.625}});
     add_two_sided(room, {{0.5, 0.125, 0.125}, {0.625, 0.875, 0.25}, {0.375, 0.5, 0.75}});
-    expect_rows_of_one(room, 1e-4);
+    expect_rows_of_one(room, 1e-5);
+}
+
+// A box that floats, beside a sheet that touches a wall.
+TEST(ObstructedRooms, RowsSumToOneAroundABox) {
+    RoomBuilder room = cube();
+    const double base[][2] = {{0.25, 0.375}, {0.625, 0.25}, {0.75, 0.625}, {0.375, 0.75}};
+    Loop top, bottom;
+    for (int k = 0; k < 4; ++k) {
+        const double *a = base[k], *b = base[(k + 1) % 4];
+        room.polygon({{a[0], a[1], 0.25}, {b[0], b[1], 0.25}, {b[0], b[1], 0.625}, {a[0], a[1], 0.625}});
+        top.push_back({a[0], a[1], 0.625}), bottom.insert(bottom.begin(), {a[0], a[1], 0.25});
+    }
+    room.polygon(top).polygon(bottom);
+    add_two_sided(room, {{0, 0.25, 0.5}, {0.25, 0.25, 0.75}, {0, 0.5, 0.75}});
+    expect_rows_of_one(room, 1e-6);
 }
 
 // An L that stands on the floor and leans on no wall.
@@ -82,7 +97,7 @@ TEST(ObstructedRooms, RowsSumToOneAroundAnL) {
     add_two_sided(
         room,
         {{0.25, 0.5, 0}, {0.75, 0.5, 0}, {0.75, 0.5, 0.25}, {0.5, 0.5, 0.25}, {0.5, 0.5, 0.75}, {0.25, 0.5, 0.75}});
-    expect_rows_of_one(room, 1e-5);
+    expect_rows_of_one(room, 1e-6);
 }
 
 // Occluders within a thousandth of a plane, crossing it: from both sides the same. Found by a sweep over random scenes;
@@ -110,8 +125,34 @@ TEST(ObstructedRooms, NarrowPenumbraeAreTheSameFromBothSides) {
     }
 }
 
+// Behind eight occluders in general position, too, the goal is reached; from both sides alike.
+TEST(ObstructedRooms, ManyGenericOccluders) {
+    std::mt19937_64 random(3);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+    };
+    RoomBuilder room = RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(0, 0, 1, 1, 1, false);
+    for (int k = 0; k < 8; ++k) {
+        const Point centre{number(0, 1), number(0, 1), number(0.1, 0.9)};
+        const auto corner = [&] { return centre + Point{number(-0.15, 0.15), number(-0.15, 0.15), number(-0.1, 0.1)}; };
+        const Point a = corner(), b = corner(), c = corner();
+        room.polygon({a, b, c});
+    }
+    FormFactorOptions options;
+    options.both_sides = true;
+#ifndef COB_LONG_TESTS
+    options.tolerance = 4e-6;
+#endif
+    const FormFactorResult result = matrix_of(room, options, {{0, 1}});
+    ASSERT_EQ(result.values.size(), 2);
+    EXPECT_LE(result.reciprocity_in_errors, 1);
+    EXPECT_EQ(result.above_goal, 0);
+    EXPECT_GT(result.values[0].value, 0.02);
+    EXPECT_LT(result.values[0].value, 0.195);
+}
+
 // F_AB = F_AB' + F_AB'' for parts of B, A F_AB = A' F_A'B + A'' F_A''B for parts of A, and a cut occluder shades as the
-// whole one, within the stated errors at 1e-6; behind two occluders at 1e-4.
+// whole one, within the stated errors at 1e-6.
 TEST(ObstructedRooms, PartsAddUp) {
     std::mt19937_64 random(7);
     const auto number = [&](double low, double high) {
@@ -131,9 +172,7 @@ TEST(ObstructedRooms, PartsAddUp) {
                 room.polygon({b[0], middle, b[2]}).polygon({middle, b[1], b[2]});
             else
                 room.polygon(b);
-            FormFactorOptions options;
-            if (k < 2) options.tolerance = 1e-4;
-            return value_of(room, 0, 1, options);
+            return value_of(room, 0, 1, {});
         };
         const PolygonFormFactor whole = value(0, 1, 0, 1, false), cut_occluder = value(0, 1, 0, 1, true);
         const PolygonFormFactor to_low = value(0, 1, 0, cut, false), to_high = value(0, 1, cut, 1, false);
