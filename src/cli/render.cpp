@@ -122,7 +122,8 @@ void write_all(const RadiositySolver& solver, const Arguments& arguments, const 
     write_file(base + "mesh.png", report::encode_png(pictures.mesh));
     write_file(base + "states.png", report::encode_png(pictures.states));
     if (beside) write_file(base + "beside.png", report::encode_png(report::beside(*beside, pictures.plain)));
-    if (line) line->write(base + "line");
+    if (line && !line->write(base + "line"))
+        remark_on_terminal("no plot " + base + "line: gnuplot is missing or failed; install gnuplot-nox");
     write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
     write_file(base + "exitance.csv", report::solution_csv(solver));

@@ -60,7 +60,7 @@ ExitanceLine::Place ExitanceLine::nearest(const Point& point) const {
     return place;
 }
 
-void ExitanceLine::write(const std::string& base) const {
+bool ExitanceLine::write(const std::string& base) const {
     const ExitanceField field(solver_);
     std::vector<Rgb> solved(places_.size()), reference(places_.size());
     in_parallel(options_.threads, places_.size(), [&](std::size_t k) {
@@ -89,7 +89,7 @@ void ExitanceLine::write(const std::string& base) const {
         plot.curves[1].points.push_back({share(k), reference[k][1]});
     }
     write_file(base + ".csv", text);
-    draw(plot, base);
+    return draw(plot, base);
 }
 
 }  // namespace cob::report
