@@ -46,11 +46,9 @@ UndecidedSign undecided_of(const std::array<BoundedNumber, n>& c) {
 
 }  // namespace
 
-SignsOverCell::SignsOverCell(const PairShapes& shapes, const Triangle2D& cell)
-    : SignsOverCell(shapes, cell, std::vector<Known>(shapes.side_count() * shapes.corner_count(), Known::not_asked)) {}
-
-SignsOverCell::SignsOverCell(const PairShapes& shapes, const Triangle2D& cell, std::vector<Known> linear)
-    : shapes_(&shapes), cell_(cell), normals_(shapes.side_count()), linear_(std::move(linear)) {
+SignsOverCell::SignsOverCell(const PairShapes& shapes, const Triangle2D& cell) : shapes_(&shapes), cell_(cell) {
+    const std::size_t pairs = shapes.side_count() * shapes.corner_count();
+    if (pairs <= most_in_table) linear_.assign(pairs, Known::not_asked), normals_.resize(shapes.side_count());
     for (std::size_t k = 0; k < 3; ++k) {
         const Point2D &a = cell[k], &b = cell[(k + 1) % 3];
         const Vector3<double> middle{0.5 * (a.s + b.s), 0.5 * (a.t + b.t), 0};
@@ -60,7 +58,8 @@ SignsOverCell::SignsOverCell(const PairShapes& shapes, const Triangle2D& cell, s
 }
 
 SignsOverCell::SignsOverCell(const SignsOverCell& around, const Point2D& point)
-    : SignsOverCell(*around.shapes_, Triangle2D{point, point, point}, around.linear_) {
+    : SignsOverCell(*around.shapes_, Triangle2D{point, point, point}) {
+    linear_ = around.linear_;
     is_point_ = true;
 }
 
@@ -69,7 +68,7 @@ void SignsOverCell::note(const UndecidedSign& sign) {
 }
 
 const SignsOverCell::Normals& SignsOverCell::normals(std::int32_t side, bool at_middles) {
-    Normals& known = normals_[static_cast<std::size_t>(side)];
+    Normals& known = is_sparse() ? sparse_normals_[side] : normals_[static_cast<std::size_t>(side)];
     const auto& [a, b] = shapes_->side(side);
     const auto fill = [&, a = a, b = b](std::size_t from, std::size_t to) {
         for (std::size_t k = from; k < to; ++k)
@@ -82,8 +81,13 @@ const SignsOverCell::Normals& SignsOverCell::normals(std::int32_t side, bool at_
 
 // ---------------------------------------------------------------------------------------- a side and a corner
 
+SignsOverCell::Known& SignsOverCell::known(std::int32_t side, VertexId v) {
+    const std::size_t key = static_cast<std::size_t>(side) * shapes_->corner_count() + static_cast<std::size_t>(v);
+    return is_sparse() ? sparse_linear_[key] : linear_[key];
+}
+
 SignsOverCell::Known SignsOverCell::linear(std::int32_t side, VertexId v) {
-    Known& known = linear_[static_cast<std::size_t>(side) * shapes_->corner_count() + static_cast<std::size_t>(v)];
+    Known& known = this->known(side, v);
     if (is_point_ ? known == Known::zero || known == Known::negative || known == Known::positive
                   : known != Known::not_asked && known != Known::undecided)
         return known;

@@ -12,6 +12,7 @@
 #include "radiosity/pair_shapes.hpp"
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace cob::radiosity {
@@ -82,7 +83,8 @@ private:
         mostly_positive
     };
     std::array<BoundedNumber, 3> values_of(std::int32_t side, VertexId v);
-    SignsOverCell(const PairShapes& shapes, const Triangle2D& cell, std::vector<Known> linear);
+    bool is_sparse() const { return linear_.empty(); }
+    Known& known(std::int32_t side, VertexId v);
     const Normals& normals(std::int32_t side, bool at_middles);
     Known linear(std::int32_t side, VertexId v);
     std::optional<Sign> linear_sign(std::int32_t side, VertexId v);
@@ -94,8 +96,10 @@ private:
     const PairShapes* shapes_;
     Triangle2D cell_;
     std::array<BoundedVector, 6> places_;  ///< The cell's corners and the middles of its sides.
-    std::vector<Normals> normals_;         ///< By side.
-    std::vector<Known> linear_;            ///< By side and corner.
+    std::vector<Normals> normals_;         ///< By side,
+    std::vector<Known> linear_;            ///< and by side and corner, where these are not too many; else
+    std::unordered_map<std::int32_t, Normals> sparse_normals_;
+    std::unordered_map<std::uint64_t, Known> sparse_linear_;
     bool is_point_ = false;
     double doubt_ = 0, sliver_ = 0;
     std::vector<DoubtfulSign> doubtful_;

@@ -49,7 +49,7 @@ IntervalPoint PairShapes::local(const RationalPoint& point) const {
 CornerLoop PairShapes::add(const ConvexPolygon& polygon) {
     CornerLoop loop;
     loop.number = loops_++;
-    in_plane_.clear(), common_.clear();
+    common_.clear();
     const std::size_t n = polygon.size();
     for (std::size_t k = 0; k < n; ++k) {
         const RationalPoint &before = polygon[(k + n - 1) % n], &corner = polygon[k], &after = polygon[(k + 1) % n];
@@ -76,33 +76,40 @@ PlaneRef PairShapes::side_between(VertexId a, VertexId b) {
 }
 
 bool PairShapes::always_in_plane(std::int32_t k, VertexId v) const {
-    in_plane_.resize(sides_.size() * corners_.size(), Known::not_asked);
-    Known& known = in_plane_[static_cast<std::size_t>(k) * corners_.size() + static_cast<std::size_t>(v)];
-    if (known != Known::not_asked) return known == Known::yes;
-    known = Known::yes;
     // Linear: three points that span the plane decide.
     const auto& [a, b] = side(k);
-    for (std::size_t i = 0; i < 3 && known == Known::yes; ++i) {
-        const auto bounded_at = [&](VertexId id) { return bounded_corner(id) - bounded_span_[i]; };
-        const auto at = [&](VertexId id) { return exact_[static_cast<std::size_t>(id)] - span_[i]; };
-        if (dot(cross(bounded_at(a), bounded_at(b)), bounded_at(v)).sign().value_or(Sign::zero) != Sign::zero ||
-            cob::dot(cob::cross(at(a), at(b)), at(v)) != 0)
-            known = Known::no;
+    for (const BoundedVector& x : bounded_span_) {
+        const auto at = [&](VertexId id) { return bounded_corner(id) - x; };
+        const auto sign = dot(cross(at(a), at(b)), at(v)).sign();
+        if (sign && *sign != Sign::zero) return false;
     }
-    return known == Known::yes;
+    const auto [known, is_new] = in_plane_.try_emplace({k, v}, true);
+    if (is_new)
+        for (const RationalPoint& x : span_) {
+            const auto at = [&](VertexId id) { return exact_[static_cast<std::size_t>(id)] - x; };
+            if (cob::dot(cob::cross(at(a), at(b)), at(v)) != 0) known->second = false;
+        }
+    return known->second;
 }
 
 std::optional<std::size_t> PairShapes::common_side(std::int32_t side, const CornerLoop& loop) const {
     constexpr std::int32_t not_asked = -2, none = -1;
-    common_.resize(sides_.size() * loops_, not_asked);
-    std::int32_t& known = common_[static_cast<std::size_t>(side) * loops_ + loop.number];
-    if (known == not_asked) {
-        known = none;
+    const auto find = [&] {
         for (std::size_t k = 0, n = loop.corners.size(); k < n; ++k)
             if (always_in_plane(side, loop.corners[k]) && always_in_plane(side, loop.corners[(k + 1) % n]))
-                known = static_cast<std::int32_t>(k);
+                return static_cast<std::int32_t>(k);
+        return none;
+    };
+    std::int32_t found = not_asked;
+    if (sides_.size() * loops_ > most_in_table) {
+        found = find();
+    } else {
+        common_.resize(sides_.size() * loops_, not_asked);
+        std::int32_t& known = common_[static_cast<std::size_t>(side) * loops_ + loop.number];
+        if (known == not_asked) known = find();
+        found = known;
     }
-    return known == none ? std::nullopt : std::optional(static_cast<std::size_t>(known));
+    return found == none ? std::nullopt : std::optional(static_cast<std::size_t>(found));
 }
 
 bool PairShapes::always_in_line(std::array<std::int32_t, 3> sides) const {

@@ -10,11 +10,15 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace cob::radiosity {
 
 using IntervalPoint = Vector3<Interval>;
+
+/// Tables by sides and corners are kept up to this size; beyond, among hundreds of occluders, they are sparse.
+inline constexpr std::size_t most_in_table = std::size_t(1) << 16;
 
 /// A convex polygon by the numbers of its corners, as seen counter-clockwise, and those of its sides.
 struct CornerLoop {
@@ -63,9 +67,8 @@ private:
     std::map<RationalPoint, VertexId> known_;
     std::map<std::array<VertexId, 2>, std::int32_t> known_sides_;
     std::size_t loops_ = 0;
-    enum class Known : std::uint8_t { not_asked, no, yes };
-    mutable std::vector<Known> in_plane_;       ///< By side and corner, once all are known.
-    mutable std::vector<std::int32_t> common_;  ///< By side and polygon.
+    mutable std::map<std::pair<std::int32_t, VertexId>, bool> in_plane_;  ///< Where it took exact arithmetic.
+    mutable std::vector<std::int32_t> common_;  ///< By side and polygon, where that many can be kept.
     mutable std::map<std::array<std::int32_t, 3>, bool> in_line_;
 };
 

@@ -121,6 +121,9 @@ PairParts parts_of(const PairContext& context, const PiecePair& pair) {
 constexpr double most_doubt = 0.25;
 constexpr std::size_t most_doubtful = 8;
 
+/// Every side is held against every occluder; among more, cutting cones one by one is cheaper at single points.
+constexpr std::size_t most_by_contour = 24;
+
 /// Is it certain, or nearly, that what is seen of the light has one structure over a triangle?
 Structure structure_of(const PairParts& parts, const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
     Structure structure{{}, 0, {}, {}, CellView(parts.shapes, t)};
@@ -195,6 +198,8 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
         return PointValue{unobstructed, std::clamp(form_factor_at(parts.shapes, where, contour), 0.0, unobstructed)};
     };
     integrand.exact = [&](const Point2D& where, const Structure& around) {
+        if (around.occluders.size() > most_by_contour)
+            return exact_value(context, parts, pair, frame.point_at(where), around.occluders);
         try {
             return integrand.by_contour(where,
                                         CellView(around.view, where).visible_contour(parts.lights, around.occluders));

@@ -160,6 +160,27 @@ TEST_F(CellViews, ContoursOfPoints) {
     EXPECT_GT(decided, 290);
 }
 
+// Beyond the tables' size, too: behind a hundred triangles.
+TEST_F(CellViews, ContoursOfManyShapes) {
+    RoomBuilder builder = RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(0, 0, 1, 1, 1, false);
+    for (int k = 0; k < 100; ++k) {
+        const Point centre{number(), number(), 0.25 + 0.5 * number()};
+        const auto corner = [&] { return centre + 0.1 * Point{number(), number(), number()}; };
+        const Point a = corner(), b = corner(), c = corner();
+        builder.polygon({a, b, c});
+    }
+    const Room room(builder);
+    ASSERT_GT(room.shapes.side_count() * room.shapes.corner_count(), most_in_table);
+    for (int k = 0; k < 10; ++k) {
+        const Point2D point{number(), number()};
+        CellView around(room.shapes, {point, mix(point, {0.5, 0.5}, 1e-3), mix(point, {1, 0}, 1e-3)});
+        const auto occluders = around.between(room.lights, room.occluders);
+        const Contour contour = CellView(around, point).visible_contour(room.lights, occluders);
+        EXPECT_LT(occluders.size(), room.occluders.size());
+        EXPECT_NEAR(form_factor_at(room.shapes, point, contour), room.visible_from(point), 1e-12);
+    }
+}
+
 // Where only quadratic signs are doubtful, the contour is that of the centroid, and what it is off by elsewhere is no
 // more than where a doubtful sign is wrong most, times what that is told to be beyond.
 TEST_F(CellViews, DoubtfulContoursAreTheCentroids) {
