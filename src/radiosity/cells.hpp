@@ -2,7 +2,7 @@
 /// Triangles of a receiver and how they are cut.
 #pragma once
 
-#include "radiosity/cell_view.hpp"
+#include "radiosity/cell_signs.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 /// over panels, bisected towards where sides come near to each other.
 #pragma once
 
-#include "radiosity/cell_view.hpp"
+#include "radiosity/pair_shapes.hpp"
 
 #include <vector>
 

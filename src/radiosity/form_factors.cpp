@@ -202,13 +202,17 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
     plan.occluders /= static_cast<double>(obstructed_parts);
     // A few are begun. Where one does not end, what is missing is guessed from how far it came: the error fell about
     // with the fourth power of the time (the square where certified).
-    const std::size_t samples = std::min<std::size_t>(timed.size(), 6);
+    const std::size_t samples = std::min<std::size_t>(timed.size(), 12);
     const std::uint64_t most = self.options.certified ? self.options.max_subdivisions : self.options.max_evaluations;
-    const std::uint64_t budget = std::min<std::uint64_t>(most, self.options.certified ? 50 : 6000);
     const auto integrate = self.options.certified ? certified_flux : flux_between;
     for (std::size_t k = 0; k < samples; ++k) {
         const PiecePair& pair = *timed[k * timed.size() / samples];
         const double goal = 0.5 * self.options.tolerance * self.polygons[self.scene.piece(pair.receiver).polygon].area;
+        // Behind few occluders evaluations are cheap, and most pairs end.
+        const double few = 6e5 / static_cast<double>(pair.occluders.size() * pair.occluders.size());
+        const std::uint64_t begun =
+            self.options.certified ? 50 : static_cast<std::uint64_t>(std::clamp(few, 1500.0, 2e4));
+        const std::uint64_t budget = std::min(most, begun);
         const auto start = std::chrono::steady_clock::now();
         const QuadratureResult result = integrate(self.context, pair, {goal, budget, {}});
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
