@@ -80,7 +80,7 @@ std::pair<PieceTreeBuilder::Part, PieceTreeBuilder::Part> PieceTreeBuilder::halv
 std::pair<PieceTreeBuilder::Part, PieceTreeBuilder::Part> PieceTreeBuilder::best_split(const Part& whole) {
     const auto begin = pieces_.begin() + static_cast<std::ptrdiff_t>(whole.first);
     const auto end = pieces_.begin() + static_cast<std::ptrdiff_t>(whole.beyond);
-    // 1. Slices along each axis on which the middles differ.
+    // 1. Slices along each axis on which the middles differ by more than bounds are wider than what they hold.
     Bounds middles;
     std::for_each(begin, end, [&](const Entry& entry) {
         middles.add(Point{entry.bounds.middle(0), entry.bounds.middle(1), entry.bounds.middle(2)});
@@ -90,7 +90,7 @@ std::pair<PieceTreeBuilder::Part, PieceTreeBuilder::Part> PieceTreeBuilder::best
     double least = Bounds::infinity;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double length = middles.high[axis] - middles.low[axis];
-        if (!(length > 0)) continue;
+        if (!(length > PieceTreeNode::margin)) continue;
         const Slices slices{axis, middles.low[axis], static_cast<double>(slice_count) / length};
         std::array<Content, slice_count> content;
         std::for_each(begin, end, [&](const Entry& entry) { content[slices(entry.bounds)].add(entry.bounds, 1); });
@@ -110,7 +110,7 @@ std::pair<PieceTreeBuilder::Part, PieceTreeBuilder::Part> PieceTreeBuilder::best
             best_beyond = k;
         }
     }
-    // 3. Parted there; where all middles are one, anyhow.
+    // 3. Parted there; where no middles differ so much, anyhow.
     if (best_beyond == 0) return halves(whole);
     const auto middle =
         std::partition(begin, end, [&](const Entry& entry) { return best_slices(entry.bounds) < best_beyond; });

@@ -23,7 +23,7 @@ struct alignas(64) PieceTreeNode {
     unsigned filled = 0;  ///< Bit k: there is a child k.
 
     /// How much wider than a child its bounds have to be, beside what its coordinates are off: see NodeSegment.
-    static constexpr double margin = 0x1p-18;
+    static constexpr double margin = 0x1p-19;
     /// Of as many children as there are bounds, eight at most, none of them empty.
     void set_bounds(const std::vector<Bounds>& of_children);
 };
@@ -34,9 +34,9 @@ struct alignas(64) PieceTreeNode {
 /// the exact one than 2^-23 + 3 e in any coordinate. It meets a bound b = origin + number * step at
 ///     t = number * (step / d) + (origin - o) / d.
 /// Where coordinates are known to 2^-20, bounds lie in [-1.1, 1.1], o in [-4, 4], and the roundings of both products,
-/// of the difference, its product, and the sum move b by less than 2^-24 (2.2 + 2.2 + 5.1 + 5.1 + 7.3) < 2^-19; where
-/// they are not, the bounds are wider by more. So the margin has room. The rounding of 1 / d and the comparison's are
-/// relative to t: 8 2^-24 between two parameters.
+/// of the difference, its product, and the sum move b by less than 2^-24 (2.2 + 2.2 + 5.1 + 5.1 + 7.3) < 1.4 2^-20,
+/// which with 2^-23 leaves room in the margin of 2^-19; where they are not, the bounds are wider by more. The rounding
+/// of 1 / d and the comparison's are relative to t: 8 2^-24 between two parameters.
 struct NodeSegment {
     Lanes origin{}, inverse{};                ///< By axis.
     std::array<std::size_t, 3> enter, leave;  ///< Which bounds are met first and last, by axis.
