@@ -25,18 +25,23 @@ std::string text_of(const Point& p) {
     return to_text(p.x) + " " + to_text(p.y) + " " + to_text(p.z);
 }
 
-}  // namespace
-
-Frame::Frame(const Camera& camera, int width, int height) : origin_(camera.position) {
+/// Throws where the camera has no direction, or no up.
+void check(const Camera& camera, const std::string& path) {
     const Point ahead = camera.target - camera.position;
     if (!(length(ahead) > 0) || !std::isfinite(length(ahead)))
         throw InputError("the camera's position and target are one point, or too far apart",
-                         {"", 0, text_of(camera.target), "move one"});
-    forward_ = unit(ahead);
-    const Point side = cross(forward_, camera.up);
-    if (!(length(side) > 1e-9 * length(camera.up)))
-        throw InputError("the camera looks along its own up direction", {"", 0, text_of(camera.up), "choose another"});
-    right_ = unit(side);
+                         {path, 0, text_of(camera.target), "move one"});
+    if (!(length(cross(unit(ahead), camera.up)) > 1e-9 * length(camera.up)))
+        throw InputError("the camera looks along its own up direction",
+                         {path, 0, text_of(camera.up), "choose another"});
+}
+
+}  // namespace
+
+Frame::Frame(const Camera& camera, int width, int height) : origin_(camera.position) {
+    check(camera, "");
+    forward_ = unit(camera.target - camera.position);
+    right_ = unit(cross(forward_, camera.up));
     down_ = cross(forward_, right_);
     half_height_ = std::tan(camera.fov * 3.14159265358979323846 / 360);
     half_width_ = half_height_ * width / height;
@@ -80,6 +85,7 @@ Camera read_view(const std::string& path) {
     }
     if (!has_position || !has_target)
         throw InputError("a view needs a position and a target", {path, 0, "", "add the missing line"});
+    check(camera, path);
     return camera;
 }
 
