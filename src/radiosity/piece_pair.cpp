@@ -193,6 +193,7 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     integrand.structure = [&](const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
         return structure_of(parts, t, occluders);
     };
+    integrand.corner = [&](VertexId v) { return parts.shapes.bounded_corner(v).value; };
     integrand.by_contour = [&](const Point2D& where, const Contour& contour) {
         const double unobstructed = form_factor_to(sender, frame.relative_at(where), frame.normal());
         return PointValue{unobstructed, std::clamp(form_factor_at(parts.shapes, where, contour), 0.0, unobstructed)};

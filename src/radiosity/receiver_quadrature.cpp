@@ -93,6 +93,26 @@ constexpr double missed_by_motion = 0.002, missed_most = 0.02;
 /// Larger cells of unknown structure, by their share of the receiver's area, are cut without a look.
 constexpr double worth_sampling = 1e-3;
 
+double distance(const Point2D& a, const Point2D& b) {
+    return std::hypot(a.s - b.s, a.t - b.t);
+}
+
+/// The point of a triangle that is nearest to another.
+Point2D nearest_in(const Triangle2D& t, const Point2D& p) {
+    Point2D best = t[0];
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Point2D &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
+        const auto side = [&](const Point2D& q) { return (b.s - a.s) * (q.t - a.t) - (b.t - a.t) * (q.s - a.s); };
+        inside = inside && side(p) * side(c) >= 0;
+        const double length = (b.s - a.s) * (b.s - a.s) + (b.t - a.t) * (b.t - a.t);
+        const double along = (b.s - a.s) * (p.s - a.s) + (b.t - a.t) * (p.t - a.t);
+        const Point2D on = mix(a, b, length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0);
+        if (distance(on, p) < distance(best, p)) best = on;
+    }
+    return inside ? p : best;
+}
+
 /// A triangle and its share of the integral.
 struct Cell {
     Triangle2D triangle;
@@ -113,6 +133,7 @@ private:
     /// Integrals over a cell of what is seen and of what is hidden.
     struct Parts {
         Integral visible, hidden;
+        double least_hidden = 0, most_hidden = 0;  ///< At the points.
         double least_error() const { return std::min(visible.error, hidden.error); }
         /// What a lower rule's difference says may be less. A share of its error stays: two rules may agree by chance.
         Parts better_than(const Parts& lower) const {
@@ -120,13 +141,15 @@ private:
                 const double difference = std::max(2 * std::abs(high.value - low.value), low.error / 16);
                 return Integral{high.value, std::min(high.error, difference)};
             };
-            return {better(visible, lower.visible), better(hidden, lower.hidden)};
+            return {better(visible, lower.visible), better(hidden, lower.hidden),
+                    std::min(least_hidden, lower.least_hidden), std::max(most_hidden, lower.most_hidden)};
         }
     };
     /// By the rule of n x n points, with the distances from a polynomial as errors.
     template <std::size_t n, std::size_t degree, class F>
     Parts sample(const Triangle2D& triangle, const F& value_at);
     double misfit(const Structure& structure, Cell& cell);
+    double missed_peaks(const Triangle2D& cell, const Structure& structure, const Parts& parts);
     void evaluate(Cell& cell);
     void sample_undecided(Cell& cell, const Structure& structure);
     void look(Cell cell);
@@ -158,6 +181,8 @@ Cubature::Parts Cubature::sample(const Triangle2D& triangle, const F& value_at) 
     parts.visible.value *= all, parts.hidden.value *= all;
     parts.visible.error = residual_share * all * residual(visible);
     parts.hidden.error = residual_share * all * residual(hidden);
+    parts.least_hidden = *std::min_element(hidden.begin(), hidden.end());
+    parts.most_hidden = *std::max_element(hidden.begin(), hidden.end());
     return parts;
 }
 
@@ -177,6 +202,39 @@ double Cubature::misfit(const Structure& structure, Cell& cell) {
     return sum;
 }
 
+/// Near an occluder what is hidden varies on the scale of its distance, and a peak may stand between the points of a
+/// larger cell. So the places of the cell next to its corners and sides are looked at: where more or less is hidden
+/// than the points allow for, by as much again as they vary, that much may be missed around, twice as far as it is
+/// away.
+double Cubature::missed_peaks(const Triangle2D& cell, const Structure& structure, const Parts& parts) {
+    const Point2D centre = mix(cell[0], mix(cell[1], cell[2], 0.5), 2.0 / 3);
+    const double radius = std::max({distance(cell[0], centre), distance(cell[1], centre), distance(cell[2], centre)});
+    const double spread = parts.most_hidden - parts.least_hidden, all = area(cell);
+    double sum = 0;
+    for (const CornerLoop* occluder : structure.occluders) {
+        double missed = 0;
+        for (std::size_t k = 0; k < occluder->corners.size(); ++k) {
+            const Vector3<double> a = integrand_.corner(occluder->corners[k]);
+            const Vector3<double> d = integrand_.corner(occluder->corners[(k + 1) % occluder->corners.size()]) - a;
+            const Vector3<double> to_centre = Vector3<double>{centre.s, centre.t, 0} - a;
+            for (const double along : {0.0, std::clamp(dot(to_centre, d) / dot(d, d), 0.0, 1.0)}) {
+                const Vector3<double> p = a + along * d;
+                const Point2D place = nearest_in(cell, {p.x, p.y});
+                const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
+                if (!(away < radius)) continue;
+                const PointValue value = integrand_.by_contour(place, structure.contour);
+                ++evaluations_;
+                const double hidden = value.unobstructed - value.visible;
+                const double beyond = std::max(hidden - parts.most_hidden, parts.least_hidden - hidden) - spread;
+                const double around = 2 * away * (3 * away + std::min(2 * radius, std::sqrt(dot(d, d))));
+                missed = std::max(missed, beyond * std::min(all, around));
+            }
+        }
+        sum += missed;
+    }
+    return sum;
+}
+
 void Cubature::evaluate(Cell& cell) {
     Structure structure = integrand_.structure(cell.triangle, cell.occluders);
     const double all = area(cell.triangle);
@@ -189,9 +247,12 @@ void Cubature::evaluate(Cell& cell) {
         return;
     }
     const double share = options_.tolerance * all / area_ / 4;
-    const double missed = misfit(structure, cell);
+    double missed = misfit(structure, cell);
     const auto value_at = [&](const Point2D& point) { return integrand_.by_contour(point, structure.contour); };
     Parts parts = sample<4, 2>(cell.triangle, value_at);
+    const double peaks = missed_peaks(cell.triangle, structure, parts);
+    if (peaks > missed) cell.event.reset();
+    missed += peaks;
     // Of one structure, it is smooth: higher rules pay.
     const auto falls_short = [&] { return missed <= share && parts.least_error() > share; };
     if (falls_short()) parts = sample<6, 4>(cell.triangle, value_at).better_than(parts);

@@ -41,6 +41,7 @@ struct ReceiverIntegrand {
     /// By the contour of the triangle: the same but for rounding, and cheaper.
     std::function<PointValue(const Point2D&, const Contour&)> by_contour;
     std::function<Integral(const Triangle2D&)> unobstructed;  ///< Integral over a triangle, in closed form.
+    std::function<Vector3<double>(VertexId)> corner;          ///< Of an occluder: (s, t, h).
 };
 
 struct QuadratureOptions {
