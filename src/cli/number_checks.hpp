@@ -10,11 +10,14 @@
 
 namespace cob::cli {
 
+inline bool is_whole_number(const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// Digits alone: CLI11 takes -1 for the largest number of an unsigned type.
 inline CLI::Validator whole_number() {
     const auto check = [](const std::string& text) -> std::string {
-        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits ? "" : "'" + text + "' is no whole number: write 0 or more";
+        return is_whole_number(text) ? "" : "'" + text + "' is no whole number: write 0 or more";
     };
     return {check, ""};
 }
@@ -22,8 +25,7 @@ inline CLI::Validator whole_number() {
 /// The same, and above 0.
 inline CLI::Validator positive_whole_number() {
     const auto check = [](const std::string& text) -> std::string {
-        const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        const bool positive = digits && text.find_first_not_of('0') != std::string::npos;
+        const bool positive = is_whole_number(text) && text.find_first_not_of('0') != std::string::npos;
         return positive ? "" : "'" + text + "' is no whole number above 0";
     };
     return {check, ""};

@@ -90,14 +90,6 @@ private:
 
 using Tree = CGAL::AABB_tree<TreeTraits>;
 
-/// `bounds` by id; needed only while the tree is built.
-Tree build(const std::vector<std::int32_t>& ids, const std::vector<Bounds>& bounds) {
-    Tree tree{TreeTraits(&bounds)};
-    tree.insert(ids.data(), ids.data() + ids.size());
-    if (!tree.empty()) tree.build();
-    return tree;
-}
-
 /// Walks a tree down wherever it may meet the bounds; hands every polygon reached to the callback.
 class WalkInBounds {
 public:
@@ -154,7 +146,10 @@ private:
             ids.push_back(id);
             bounds[static_cast<std::size_t>(id)] = bounds_of(scene_, scene_.loop(id));
         }
-        polygons_ = build(ids, bounds);
+        if (ids.empty()) return;
+        polygons_ = Tree{TreeTraits(&bounds)};  // which are needed only while it is built
+        polygons_.insert(ids.data(), ids.data() + ids.size());
+        polygons_.build();
     }
 
     const Scene& scene_;

@@ -162,8 +162,7 @@ Motion motion_over_cell(const PairShapes& shapes, const Triangle2D& cell, const 
             const Vector3<double> a = at(loop.corners[k]), b = at(loop.corners[(k + 1) % loop.corners.size()]),
                                   d = b - a;
             const double length = std::sqrt(dot(d, d));
-            const double along = length > 0 ? std::clamp(-dot(a, d) / (length * length), 0.0, 1.0) : 0;
-            const Vector3<double> nearest = a + along * d;
+            const Vector3<double> nearest = nearest_on_side(a, b, {0, 0, 0});
             const double distance = (std::sqrt(dot(nearest, nearest)) - 1e-12) / up - radius;
             if (!(distance > 0)) {
                 motion = {HUGE_VAL, HUGE_VAL, HUGE_VAL};

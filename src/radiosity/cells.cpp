@@ -110,6 +110,12 @@ double reach(const Triangle2D& t) {
     return result * (1 + 1e-9);
 }
 
+Vector3<double> nearest_on_side(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& p) {
+    const Vector3<double> d = b - a;
+    const double squared = dot(d, d);
+    return squared > 0 ? a + std::clamp(dot(p - a, d) / squared, 0.0, 1.0) * d : a;
+}
+
 std::vector<Triangle2D> cut(const Triangle2D& t, const std::optional<UndecidedSign>& event) {
     return !event ? in_four(t) : event->linear ? along(*event, t) : along_chord(*event, t);
 }

@@ -16,6 +16,8 @@ Point2D mix(const Point2D& a, const Point2D& b, double f);
 Point2D centroid(const Triangle2D& t);
 /// The largest distance of a corner from the centroid, rounded up.
 double reach(const Triangle2D& t);
+/// The point of the side from a to b that is nearest to p, in space.
+Vector3<double> nearest_on_side(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& p);
 
 /// Along the line or the chord of the conic on which an undecided determinant vanishes, where that cuts the triangle
 /// once; else in four.

@@ -2,6 +2,7 @@
 
 #include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
+#include "radiosity/photometric_range.hpp"
 #include "radiosity/piece_pair.hpp"
 #include "radiosity/plane_sheets.hpp"
 
@@ -86,11 +87,7 @@ struct FormFactorMatrix::Implementation {
     }
 
     PolygonPair prepare(PolygonId i, PolygonId j) const {
-        for (const PolygonId k : {i, j})
-            if (polygons[static_cast<std::size_t>(k)].area < 1e-280)  // near what binary64 holds
-                throw InputError("polygon is too small beside the scene",
-                                 {scene.name(), scene.polygon(k).line, std::to_string(k),
-                                  "ask in a scene without what is so much larger"});
+        for (const PolygonId k : {i, j}) refuse_too_small(scene, k, polygons[static_cast<std::size_t>(k)].area);
         PolygonPair pair;
         const bool keep = polygons[i].area < polygons[j].area || (polygons[i].area == polygons[j].area && i <= j);
         pair.smaller = keep ? i : j, pair.larger = keep ? j : i;

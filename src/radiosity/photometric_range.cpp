@@ -37,10 +37,15 @@ void check_photometric_range(const Scene& scene) {
             if (emitted > most_exitance)
                 throw InputError("material '" + material.name + "' emits too much",
                                  {scene.name(), polygon.line, to_text(emitted), "give a Ke of at most 1e300"});
-        if (area(scene, polygon, exponent) < least_area)
-            throw InputError("polygon is too small beside the scene",
-                             {scene.name(), polygon.line, std::to_string(id), "leave out what is so much larger"});
+        refuse_too_small(scene, id, area(scene, polygon, exponent));
     }
+}
+
+void refuse_too_small(const Scene& scene, PolygonId polygon, double area) {
+    if (area < least_area)
+        throw InputError(
+            "polygon is too small beside the scene",
+            {scene.name(), scene.polygon(polygon).line, std::to_string(polygon), "leave out what is so much larger"});
 }
 
 void check_solvable(const Scene& scene) {

@@ -141,8 +141,7 @@ private:
                 const double difference = std::max(2 * std::abs(high.value - low.value), low.error / 16);
                 return Integral{high.value, std::min(high.error, difference)};
             };
-            return {better(visible, lower.visible), better(hidden, lower.hidden),
-                    std::min(least_hidden, lower.least_hidden), std::max(most_hidden, lower.most_hidden)};
+            return {better(visible, lower.visible), better(hidden, lower.hidden), least_hidden, most_hidden};
         }
     };
     /// By the rule of n x n points, with the distances from a polynomial as errors.
@@ -207,18 +206,16 @@ double Cubature::misfit(const Structure& structure, Cell& cell) {
 /// than the points allow for, by as much again as they vary, that much may be missed around, twice as far as it is
 /// away.
 double Cubature::missed_peaks(const Triangle2D& cell, const Structure& structure, const Parts& parts) {
-    const Point2D centre = mix(cell[0], mix(cell[1], cell[2], 0.5), 2.0 / 3);
-    const double radius = std::max({distance(cell[0], centre), distance(cell[1], centre), distance(cell[2], centre)});
-    const double spread = parts.most_hidden - parts.least_hidden, all = area(cell);
+    const Point2D centre = centroid(cell);
+    const double radius = reach(cell), spread = parts.most_hidden - parts.least_hidden, all = area(cell);
     double sum = 0;
     for (const CornerLoop* occluder : structure.occluders) {
         double missed = 0;
         for (std::size_t k = 0; k < occluder->corners.size(); ++k) {
             const Vector3<double> a = integrand_.corner(occluder->corners[k]);
-            const Vector3<double> d = integrand_.corner(occluder->corners[(k + 1) % occluder->corners.size()]) - a;
-            const Vector3<double> to_centre = Vector3<double>{centre.s, centre.t, 0} - a;
-            for (const double along : {0.0, std::clamp(dot(to_centre, d) / dot(d, d), 0.0, 1.0)}) {
-                const Vector3<double> p = a + along * d;
+            const Vector3<double> b = integrand_.corner(occluder->corners[(k + 1) % occluder->corners.size()]),
+                                  d = b - a;
+            for (const Vector3<double>& p : {a, nearest_on_side(a, b, {centre.s, centre.t, 0})}) {
                 const Point2D place = nearest_in(cell, {p.x, p.y});
                 const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
                 if (!(away < radius)) continue;
