@@ -103,30 +103,51 @@ void resume(RadiositySolver& solver, const std::string& path) {
     }
 }
 
+double seconds_since(std::chrono::steady_clock::time_point t) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
+}
+
+/// Draws the pictures, then writes them and what shows their exposure: all of these files or, interrupted, none.
+void write_pictures(const RadiositySolver& solver, const Arguments& arguments, const report::Camera& camera,
+                    const std::optional<report::Image>& beside, report::RunFigures& figures) {
+    const auto begin = std::chrono::steady_clock::now();
+    report::PictureOptions options = arguments.picture;
+    options.threads = arguments.options.threads;
+    options.progress = terminal_progress("drawing");
+    const report::Pictures pictures = report::render_pictures(solver, camera, options);
+    figures.picture_seconds = seconds_since(begin);
+
+    std::vector<std::pair<std::string, std::string>> files;
+    const auto encode = [&](const char* name, const report::Image& image) {
+        options.progress(1, 1);
+        files.emplace_back(name, report::encode_png(image));
+    };
+    encode("picture.png", pictures.plain);
+    encode("mesh.png", pictures.mesh);
+    encode("states.png", pictures.states);
+    if (beside) encode("beside.png", report::beside(*beside, pictures.plain));
+    files.emplace_back("mesh.ply", report::solution_ply(solver, pictures.exposure));
+
+    for (const auto& [name, bytes] : files) write_file(arguments.folder + "/" + name, bytes);
+    figures.exposure = pictures.exposure;
+}
+
 void write_all(const RadiositySolver& solver, const Arguments& arguments, const report::Camera& camera,
                const std::optional<report::ExitanceLine>& line, const std::optional<report::Image>& beside,
-               report::RunFigures figures, std::chrono::steady_clock::time_point begin) {
-    const auto seconds_since = [](std::chrono::steady_clock::time_point t) {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
-    };
-    const auto picture_begin = std::chrono::steady_clock::now();
-    report::PictureOptions picture = arguments.picture;
-    picture.threads = arguments.options.threads;
-    const report::Pictures pictures = report::render_pictures(solver, camera, picture);
-    figures.picture_seconds = seconds_since(picture_begin);
-    figures.exposure = pictures.exposure;
-    figures.seconds = seconds_since(begin);
-
+               report::RunFigures& figures, std::chrono::steady_clock::time_point begin) {
     const std::string base = arguments.folder + "/";
-    write_file(base + "picture.png", report::encode_png(pictures.plain));
-    write_file(base + "mesh.png", report::encode_png(pictures.mesh));
-    write_file(base + "states.png", report::encode_png(pictures.states));
-    if (beside) write_file(base + "beside.png", report::encode_png(report::beside(*beside, pictures.plain)));
-    if (line && !line->write(base + "line"))
-        remark_on_terminal("no plot " + base + "line: gnuplot is missing or failed; install gnuplot-nox");
-    write_file(base + "mesh.ply", report::solution_ply(solver, pictures.exposure));
     write_file(base + "mesh.vtp", report::solution_vtp(solver));
     write_file(base + "exitance.csv", report::solution_csv(solver));
+
+    // Ctrl-C ends the drawing; what there is of the solution stays, and the summary tells.
+    try {
+        write_pictures(solver, arguments, camera, beside, figures);
+        if (line && !line->write(base + "line", terminal_progress("line")))
+            remark_on_terminal("no plot " + base + "line: gnuplot is missing or failed; install gnuplot-nox");
+    } catch (const Interrupted&) {
+        figures.interrupted = true;
+    }
+    figures.seconds = seconds_since(begin);
     const report::RunSummary summary = report::summarise(solver, figures);
     write_file(base + "summary.json", summary.json);
     write_file(base + "summary.txt", summary.text);
@@ -148,7 +169,8 @@ void run(const Arguments& arguments) {
     const std::optional<report::ExitanceLine> line = line_of(solver, arguments);
     if (!arguments.checkpoint.empty() && exists(arguments.checkpoint)) resume(solver, arguments.checkpoint);
 
-    // The run: one shot after the other. Ctrl-C ends it after the current one, and what there is is written.
+    // The run: one shot after the other. Ctrl-C ends it after the current one, and what there is is drawn and written;
+    // one more ends the drawing.
     const Progress progress = terminal_progress("unshot flux shot");
     report::RunFigures figures;
     figures.scene = arguments.scene.path;
@@ -173,6 +195,7 @@ void run(const Arguments& arguments) {
     } catch (const Interrupted&) {
         figures.interrupted = true;
         figures.ended_by = "interrupt";
+        catch_next_interrupt();
     }
     if (!arguments.checkpoint.empty()) write_file(arguments.checkpoint, solver.checkpoint());
     write_all(solver, arguments, camera, line, beside, figures, begin);

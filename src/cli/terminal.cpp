@@ -64,6 +64,11 @@ bool interrupted() {
     return interrupt_flag != 0;
 }
 
+void catch_next_interrupt() {
+    interrupt_flag = 0;
+    catch_interrupts();
+}
+
 void remark_on_terminal(const std::string& line) {
     std::fprintf(stderr, "cob: %s\n", one_line(line).c_str());
 }

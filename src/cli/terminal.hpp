@@ -20,6 +20,8 @@ public:
 void catch_interrupts();
 /// Ctrl-C was pressed since catch_interrupts().
 bool interrupted();
+/// An interrupt was dealt with: interrupted() is false again, and the next one sets it rather than ending the process.
+void catch_next_interrupt();
 
 /// A line for the reader of standard error, behind the program's name.
 void remark_on_terminal(const std::string& line);

@@ -1,5 +1,6 @@
 #include "cob/form_factors.hpp"
 
+#include "arithmetic/shared_progress.hpp"
 #include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
 #include "radiosity/photometric_range.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 
 namespace cob {
 
@@ -34,26 +34,6 @@ struct PolygonPair {
 struct PairFlux {
     Integral flux;
     std::uint64_t evaluations = 0;
-};
-
-/// Tells progress from many threads, one at a time.
-class Counter {
-public:
-    Counter(const Progress& progress, std::uint64_t total) : progress_(progress), total_(total) {}
-    void step() { tell(1); }
-    /// Nothing done, but a chance to be interrupted.
-    void pulse() { tell(0); }
-
-private:
-    void tell(std::uint64_t more) {
-        if (!progress_) return;
-        const std::lock_guard<std::mutex> lock(mutex_);
-        progress_(done_ += more, total_);
-    }
-
-    const Progress& progress_;
-    std::uint64_t total_, done_ = 0;
-    std::mutex mutex_;
 };
 
 }  // namespace
@@ -172,7 +152,7 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
     self.pairs.assign(pairs.size(), {});
-    Counter counter(progress, pairs.size());
+    SharedProgress counter(progress, pairs.size());
     in_parallel(self.options.threads, pairs.size(), [&](std::size_t k) {
         self.pairs[k] = self.prepare(pairs[k].first, pairs[k].second);
         counter.step();
@@ -224,7 +204,7 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
 FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
     const Implementation& self = *implementation_;
     std::vector<std::array<PairFlux, 2>> fluxes(self.pairs.size());
-    Counter counter(progress, self.pairs.size());
+    SharedProgress counter(progress, self.pairs.size());
     in_parallel(self.options.threads, self.pairs.size(), [&](std::size_t k) {
         const auto pulse = [&counter] { counter.pulse(); };
         const PolygonPair& pair = self.pairs[k];

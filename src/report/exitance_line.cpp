@@ -1,5 +1,6 @@
 #include "report/exitance_line.hpp"
 
+#include "arithmetic/shared_progress.hpp"
 #include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
 #include "cob/files.hpp"
@@ -60,10 +61,12 @@ ExitanceLine::Place ExitanceLine::nearest(const Point& point) const {
     return place;
 }
 
-bool ExitanceLine::write(const std::string& base) const {
+bool ExitanceLine::write(const std::string& base, const Progress& progress) const {
     const ExitanceField field(solver_);
     std::vector<Rgb> solved(places_.size()), reference(places_.size());
+    SharedProgress counter(progress, places_.size());
     in_parallel(options_.threads, places_.size(), [&](std::size_t k) {
+        counter.step();
         const auto& [root, at] = places_[k];
         if (root < 0) return;
         solved[k] = field.at(root, at[0], at[1]);

@@ -2,6 +2,7 @@
 /// Exitance along a line across a shadow: of the solution, beside what the same shots bring to each point itself.
 #pragma once
 
+#include "cob/progress.hpp"
 #include "cob/solver.hpp"
 
 #include <array>
@@ -25,8 +26,8 @@ public:
     ExitanceLine(const RadiositySolver& solver, const LineOptions& options);
     /// Writes base.csv (`share,x,y,z,r,g,b,reference_r,reference_g,reference_b`, the last six empty where a point has
     /// no values) and, by gnuplot where it is installed, base.svg and base.png of the green channel.
-    /// False where there is no plot.
-    bool write(const std::string& base) const;
+    /// False where there is no plot. Progress counts points.
+    bool write(const std::string& base, const Progress& progress = {}) const;
 
 private:
     /// A root, and bilinear (of a triangle: barycentric) coordinates in it.

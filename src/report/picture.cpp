@@ -1,5 +1,6 @@
 #include "report/picture.hpp"
 
+#include "arithmetic/shared_progress.hpp"
 #include "arithmetic/threads.hpp"
 #include "radiosity/mesh.hpp"
 #include "report/ray_caster.hpp"
@@ -125,16 +126,18 @@ private:
     std::vector<std::vector<RootId>> roots_of_piece_;
 };
 
-double automatic_exposure(const Painter& painter, const PictureOptions& options) {
+double automatic_exposure(const Painter& painter, const PictureOptions& options, SharedProgress& progress) {
     std::vector<double> lights;
     constexpr int step = 6;
-    for (int y = step / 2; y < options.height; y += step)
+    for (int y = step / 2; y < options.height; y += step) {
+        progress.pulse();
         for (int x = step / 2; x < options.width; x += step) {
             const Seen seen = painter.look(x, y);
             if (seen.leaf < 0 || seen.emits) continue;
             const double light = 0.2126 * seen.exitance[0] + 0.7152 * seen.exitance[1] + 0.0722 * seen.exitance[2];
             if (light > 0) lights.push_back(light);
         }
+    }
     if (lights.empty()) return 1;
     const auto place = static_cast<std::ptrdiff_t>(bright_share * static_cast<double>(lights.size() - 1));
     std::nth_element(lights.begin(), lights.begin() + place, lights.end());
@@ -145,14 +148,16 @@ double automatic_exposure(const Painter& painter, const PictureOptions& options)
 
 Pictures render_pictures(const RadiositySolver& solver, const Camera& camera, const PictureOptions& options) {
     const Painter painter(solver, camera, options);
+    SharedProgress progress(options.progress, static_cast<std::uint64_t>(options.height));
     Pictures pictures;
-    pictures.exposure = options.exposure > 0 ? options.exposure : automatic_exposure(painter, options);
+    pictures.exposure = options.exposure > 0 ? options.exposure : automatic_exposure(painter, options, progress);
     pictures.plain = pictures.mesh = pictures.states = Image(options.width, options.height);
     const int n = std::max(1, options.antialiasing);
 
     in_parallel(options.threads, static_cast<std::size_t>(options.height), [&](std::size_t row) {
         const int y = static_cast<int>(row);
         for (int x = 0; x < options.width; ++x) {
+            if (x % 64 == 0) progress.pulse();  // a row of many rays a pixel takes seconds
             Rgb plain{}, mesh{}, states{};
             for (int k = 0; k < n * n; ++k) {
                 const Seen seen = painter.look(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
@@ -184,6 +189,7 @@ Pictures render_pictures(const RadiositySolver& solver, const Camera& camera, co
                 pictures.states.at(x, y)[c] = to_srgb(states[c]);
             }
         }
+        progress.step();
     });
     return pictures;
 }

@@ -3,6 +3,7 @@
 /// over it; and elements coloured by the state of their buffer.
 #pragma once
 
+#include "cob/progress.hpp"
 #include "cob/solver.hpp"
 #include "report/camera.hpp"
 #include "report/image.hpp"
@@ -15,6 +16,7 @@ struct PictureOptions {
     double exposure = 0;   ///< Linear light for 1 W/m2 of exitance; 0: so that the picture's bright parts are bright.
     bool ambient = false;  ///< Adds the ambient term, for display only.
     int threads = 0;       ///< 0: as many as the machine has.
+    Progress progress;     ///< Counts rows.
 };
 
 struct Pictures {

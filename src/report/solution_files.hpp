@@ -4,6 +4,7 @@
 
 #include "cob/solver.hpp"
 
+#include <optional>
 #include <string>
 
 namespace cob::report {
@@ -20,7 +21,7 @@ std::string solution_csv(const RadiositySolver& solver);
 struct RunFigures {
     std::string scene;
     double seconds = 0, picture_seconds = 0;  ///< Of the whole run and of its pictures.
-    double exposure = 0;
+    std::optional<double> exposure;           ///< None where the drawing was interrupted and no picture was written.
     bool interrupted = false;
     std::string ended_by;  ///< "number of shots", "number of elements", "unshot flux" or "interrupt".
 };

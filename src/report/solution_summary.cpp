@@ -115,7 +115,7 @@ Json figures_of(const RadiositySolver& solver, const RunFigures& figures) {
     // What an interaction costs on average is what one that is skipped as occluded saves.
     json["seconds_saved_by_occluded_elements"] =
         interactions > 0 ? static_cast<double>(c.skipped_occluded) * (t.interaction + t.shooting) / interactions : 0;
-    json["exposure"] = figures.exposure;
+    json["exposure"] = figures.exposure ? Json(*figures.exposure) : Json();
     json["peak_memory_bytes"] = peak_memory();
     return json;
 }
@@ -131,6 +131,7 @@ std::string in_words(const Json& j, const RadiositySolver& solver, const RunFigu
     text += line("polygons", j["polygons"].dump()) + line("patches", j["patches"].dump());
     text += line("elements", j["elements"].dump() + " (by level: " + levels + ")");
     text += line("shots", c["shots"].dump() + ", ended by " + figures.ended_by);
+    if (!figures.exposure) text += line("pictures", "not written: interrupted");
     text += line("unshot flux", printed("%.4g %%", 100 * number(j["unshot_share"])));
     text += line("segments tested", c["segments"].dump() + " (" + c["segments_by_exact_oracle"].dump() +
                                         " by the exact oracle), left out " + c["segments_left_out"].dump());

@@ -13,6 +13,7 @@ std::vector<StudyPicture> draw_study(const Scene& scene, const Camera& camera, c
     picture.height = 480;
     picture.antialiasing = 2;
     picture.threads = threads;
+    picture.progress = alive;
     for (const Refinement refinement : {Refinement::none, Refinement::both}) {
         RadiosityOptions options;
         options.refinement = refinement;

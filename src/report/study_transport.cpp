@@ -3,6 +3,7 @@
 // Letters as in SPEC 8. M_i = E_i + rho_i sum_j F_ij M_j for patches i, j of constant exitance M; F_ij from
 // four points of i to what of j is seen from there, exactly found and in closed form. At any other point M follows by
 // one more sum of the same kind, so that shadows are as sharp there as they truly are.
+#include "arithmetic/shared_progress.hpp"
 #include "arithmetic/threads.hpp"
 #include "cob/form_factor.hpp"
 #include "geometry/bounds.hpp"
@@ -16,7 +17,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <mutex>
 
 namespace cob {
 namespace {
@@ -101,13 +101,10 @@ public:
     /// Calls act(0 ... count - 1) on several threads; `progress` may throw to end the work.
     template <class Act>
     static void for_each(std::size_t count, int threads, const Progress& progress, const Act& act) {
-        std::mutex mutex;
-        std::uint64_t done = 0;
+        SharedProgress done(progress, count);
         in_parallel(threads, count, [&](std::size_t k) {
             act(k);
-            if (!progress) return;
-            const std::lock_guard<std::mutex> lock(mutex);
-            progress(done++, count);
+            done.step();
         });
     }
 

@@ -1,5 +1,6 @@
 #include "report/truth_report.hpp"
 
+#include "arithmetic/shared_progress.hpp"
 #include "arithmetic/threads.hpp"
 #include "cob/files.hpp"
 #include "cob/irradiance.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 #include <optional>
 
 namespace cob {
@@ -219,17 +219,12 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
     const std::uint64_t count = (elements.size() + stride - 1) / stride;
 
     // What it will cost, from the first few spread over all. An element may take seconds: each is told.
-    std::mutex mutex;
-    std::uint64_t done = 0;
-    const auto tell = [&](std::uint64_t judged) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (options.progress) options.progress(done += judged, count);
-    };
+    SharedProgress progress(options.progress, count);
     const auto judge_block = [&](std::uint64_t begin, std::uint64_t end, std::uint64_t step, ElementTruth* out) {
         ElementClassifier classifier(elements, source, options.classify);
         ClassifiedElement classified;
         for (std::uint64_t k = begin; k < end; k += step) {
-            tell(0);
+            progress.pulse();
             classifier(k * stride, classified);
             *out++ = judge(k * stride, classified.inherited ? *classified.inherited : classified.found.state);
         }
@@ -249,7 +244,7 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
     in_parallel(options.threads, (count + 15) / 16, [&](std::size_t block) {
         const std::uint64_t begin = 16 * block, end = std::min<std::uint64_t>(begin + 16, count);
         judge_block(begin, end, 1, truths.data() + begin);
-        tell(end - begin);
+        progress.step(end - begin);
     });
 
     TruthSummary summary = summarise(truths);

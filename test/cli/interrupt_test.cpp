@@ -72,20 +72,66 @@ std::map<std::string, std::string> finished_runs(const std::string& study) {
     return bytes;
 }
 
-// "Progress; interruptible; finished runs are kept and skipped on a rerun": a real signal to a real process.
-TEST(Interrupt, FinishedRunsOfAStudyAreSkippedByTheNext) {
-    const test::TemporaryFolder folder;
-    const std::string study = folder / "study", scene = COB_DATA "/figure2.obj";
-    const std::string arguments =
-        "study " + scene + " --budgets 2 --points 50 --repeats 1 --picture-shots 0 --threads 1 -o " + study;
+/// The program under way, silent.
+pid_t start_program(const std::string& arguments) {
     const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
+    EXPECT_GE(child, 0);
     if (child == 0) {
         const int null = ::open("/dev/null", O_WRONLY);
         ::dup2(null, 1), ::dup2(null, 2);
         ::execl("/bin/sh", "sh", "-c", ("exec " COB_PROGRAM " " + arguments).c_str(), static_cast<char*>(nullptr));
         ::_exit(127);
     }
+    return child;
+}
+
+/// Waits until the file is there or the process has ended.
+void wait_for(const std::string& file, pid_t process) {
+    siginfo_t ended{};
+    while (!std::filesystem::exists(file) && ended.si_pid == 0) {
+        ::waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+// "Long work: Ctrl-C safe, nothing finished is lost": pictures of 10^9 rays, which take minutes, are ended while they
+// are drawn, and the solution is there; also where a first Ctrl-C has ended the shots.
+TEST(Interrupt, RenderIsEndedWhileItDraws) {
+    for (const bool twice : {false, true}) {
+        const test::TemporaryFolder folder;
+        const std::string out = folder / "out", checkpoint = folder / "checkpoint";
+        const pid_t child =
+            start_program("render " COB_DATA
+                          "/figure2.obj --width 2048 --picture-height 2048 "
+                          "--antialias 16 --unshot 0 --checkpoint-seconds 0 --shots " +
+                          std::string(twice ? "1000000000" : "2") + " --checkpoint " + checkpoint + " -o " + out);
+        if (twice) {
+            wait_for(checkpoint, child);
+            ::kill(child, SIGINT);
+        }
+        wait_for(out + "/exitance.csv", child);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));  // so that rows are under way
+        ::kill(child, SIGINT);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFEXITED(status));
+        EXPECT_EQ(WEXITSTATUS(status), 130);
+        EXPECT_EQ(test::files_in(out),
+                  (std::set<std::string>{"exitance.csv", "mesh.vtp", "summary.json", "summary.txt"}));
+        const std::string summary = read_file(out + "/summary.txt");
+        EXPECT_NE(summary.find(twice ? "ended by interrupt" : "ended by number of shots"), std::string::npos)
+            << summary;
+        EXPECT_NE(summary.find("not written: interrupted"), std::string::npos) << summary;
+    }
+}
+
+// "Progress; interruptible; finished runs are kept and skipped on a rerun": a real signal to a real process.
+TEST(Interrupt, FinishedRunsOfAStudyAreSkippedByTheNext) {
+    const test::TemporaryFolder folder;
+    const std::string study = folder / "study", scene = COB_DATA "/figure2.obj";
+    const std::string arguments =
+        "study " + scene + " --budgets 2 --points 50 --repeats 1 --picture-shots 0 --threads 1 -o " + study;
+    const pid_t child = start_program(arguments);
     int status = 0;
     while (finished_runs(study).size() < 3 && ::waitpid(child, &status, WNOHANG) == 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
