@@ -6,8 +6,11 @@
 #include <unistd.h>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstring>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <system_error>
 
@@ -16,9 +19,18 @@ namespace {
 
 const std::string temporary_ending = ".tmp";  // then the number of the process that writes it
 
+/// The name that a file is written under, but for the process's number. It has the hash of a name that leaves no room
+/// for ending and number.
+std::filesystem::path temporary_stem(const std::filesystem::path& path) {
+    constexpr std::size_t most = NAME_MAX - std::numeric_limits<pid_t>::digits10 - 1;
+    std::string name = path.filename().string();
+    if (name.size() + temporary_ending.size() > most) name = "cob-" + std::to_string(std::hash<std::string>()(name));
+    return path.parent_path() / (name + temporary_ending);
+}
+
 /// What processes that were killed have left of this file.
 void remove_leftovers(const std::filesystem::path& path) {
-    const std::string prefix = path.filename().string() + temporary_ending;
+    const std::string prefix = temporary_stem(path).filename().string();
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code ignored;
     for (std::filesystem::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
@@ -46,7 +58,7 @@ std::string ordinary_file(const std::string& path) {
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path)
-    : path_(ordinary_file(path)), temporary_(path_ + temporary_ending + std::to_string(::getpid())) {
+    : path_(ordinary_file(path)), temporary_(temporary_stem(path_).string() + std::to_string(::getpid())) {
     remove_leftovers(path_);
     file_ = std::fopen(temporary_.c_str(), "wb");
     if (!file_) fail("cannot create");

@@ -243,5 +243,24 @@ TEST(Interrupt, LeftoversOfKilledRunsAreRemoved) {
     EXPECT_EQ(found, expected);
 }
 
+// The same where the name leaves no room for a temporary's ending: as if this process had been killed, the number in
+// its temporary's name becomes that of a dead one.
+TEST(Interrupt, LeftoversOfLongNamesAreRemoved) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder / std::string(255, 'n'), ours = ".tmp" + std::to_string(::getpid());
+    {
+        const OutputFile under_way(path);
+        const std::set<std::string> files = test::files_in(folder.path());
+        ASSERT_EQ(files.size(), 1u);
+        std::string left = *files.begin();
+        ASSERT_NE(left.rfind(ours), std::string::npos) << left;
+        left.replace(left.rfind(ours), ours.size(), ".tmp" + std::to_string(dead_process()));
+        std::ofstream(folder / left) << "left over";
+    }
+    EXPECT_EQ(test::files_in(folder.path()).size(), 1u);
+    write_file(path, "ours");
+    EXPECT_EQ(test::files_in(folder.path()), std::set<std::string>{std::string(255, 'n')});
+}
+
 }  // namespace
 }  // namespace cob

@@ -63,5 +63,26 @@ TEST(OutputFile, ALinkStaysALink) {
     EXPECT_EQ(count_entries(folder / "elsewhere"), 1u);
 }
 
+// A name may be as long as file systems allow, although a temporary one made from it would not fit; and two such names
+// that differ at their ends are written at once.
+TEST(OutputFile, NamesMayHave255Bytes) {
+    for (const std::size_t length : {240u, 241u, 242u, 243u, 254u, 255u}) {
+        const test::TemporaryFolder folder;
+        const std::string start = folder / std::string(length - 5, 'n');
+        write_file(start + "1.csv", "before\n");
+        OutputFile one(start + "1.csv"), other(start + "2.csv");
+        one.write("one\n");
+        other.write("other\n");
+        EXPECT_EQ(count_entries(folder.path()), 3u);
+        one.commit();
+        other.commit();
+        EXPECT_EQ(read_file(start + "1.csv"), "one\n");
+        EXPECT_EQ(read_file(start + "2.csv"), "other\n");
+        EXPECT_EQ(count_entries(folder.path()), 2u);
+        EXPECT_THROW(write_file(folder / std::string(256, 'n'), "too long"), InputError);
+        EXPECT_EQ(count_entries(folder.path()), 2u);
+    }
+}
+
 }  // namespace
 }  // namespace cob
