@@ -75,6 +75,19 @@ RationalPoint rational(const Point& p) {
 RationalPoint rational(const ExactPoint& p) {
     return p.rational();
 }
+/// The points with each coordinate in a unit of its own in which it is an integer of all of them: a determinant of
+/// fractions takes a greatest common divisor at each step, and these take nearly all of its time.
+template <std::size_t N>
+std::array<Vector3<Integer>, N> in_integers(const std::array<RationalPoint, N>& points) {
+    std::array<Vector3<Integer>, N> result;
+    for (int axis = 0; axis < 3; ++axis) {
+        Integer common = 1;
+        for (const RationalPoint& p : points) common = lcm(common, denominator(p[axis]));
+        for (std::size_t k = 0; k < N; ++k)
+            result[k][axis] = numerator(points[k][axis]) * Integer(common / denominator(points[k][axis]));
+    }
+    return result;
+}
 bool fits_integers(const Point&) {
     return true;
 }
@@ -207,9 +220,9 @@ Sign orientation_2d(const P& a, const P& b, const P& c, int first, int second, S
         if (bits <= 1024) return integer_2d<16>(a, b, c, first, second, x, y);
     }
     report(stage, Stage::rational);
-    const RationalPoint pa = rational(a), pb = rational(b), pc = rational(c);
-    return sign_of(determinant<Rational>(pb[first] - pa[first], pb[second] - pa[second], pc[first] - pa[first],
-                                         pc[second] - pa[second]));
+    const auto [pa, pb, pc] = in_integers<3>({rational(a), rational(b), rational(c)});
+    return sign_of(determinant<Integer>(pb[first] - pa[first], pb[second] - pa[second], pc[first] - pa[first],
+                                        pc[second] - pa[second]));
 }
 
 }  // namespace
@@ -223,7 +236,8 @@ Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, 
 }
 
 Sign orientation(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
-    return sign_of(determinant(b - a, c - a, d - a));
+    const auto [pa, pb, pc, pd] = in_integers<4>({a, b, c, d});
+    return sign_of(determinant(pb - pa, pc - pa, pd - pa));
 }
 
 Sign orientation_of_direction(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
@@ -251,8 +265,8 @@ Sign orientation_of_direction(const ExactPoint& a, const ExactPoint& b, const Ex
         if (bits <= 512) return in(std::integral_constant<int, 8>());
         if (bits <= 1024) return in(std::integral_constant<int, 16>());
     }
-    const RationalPoint pa = rational(a);
-    return sign_of(determinant(rational(b) - pa, rational(c) - pa, rational(direction)));
+    const auto [pa, pb, pc, pd] = in_integers<4>({rational(a), rational(b), rational(c), rational(direction)});
+    return sign_of(determinant(pb - pa, pc - pa, pd));
 }
 
 Sign orientation(const Point2& a, const Point2& b, const Point2& c, Stage* stage) {
