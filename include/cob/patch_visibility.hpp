@@ -13,6 +13,7 @@
 #include "cob/visibility.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,6 +44,7 @@ struct PatchOptions {
     double width = 0.01;              ///< Refine until upper - lower is at most that, in [0, 1]; 1: only the relation.
     double seconds = 0;               ///< Or until that time has passed; 0: no limit. Bounds hold wherever it ends.
     std::uint64_t max_pairs = 20000;  ///< Or until so many pairs of sub-patches were looked at.
+    std::function<void()> pulse{};    ///< Called now and then, if any; may throw to end the work.
 };
 
 struct PatchAnswer {

@@ -40,12 +40,15 @@ std::vector<PatchPair> cut(const PatchPair& pair) {
 
 }  // namespace
 
-PairState decide(const Scene& scene, PatchPair& pair) {
+PairState decide(const Scene& scene, PatchPair& pair, const std::function<void()>& pulse) {
     {
         const Shaft shaft(pair.a, pair.b);
         auto& list = pair.between;
         list.erase(std::remove_if(list.begin(), list.end(),
-                                  [&](PieceId piece) { return !shaft.meets(scene, scene.piece(piece)); }),
+                                  [&](PieceId piece) {
+                                      if (pulse) pulse();
+                                      return !shaft.meets(scene, scene.piece(piece));
+                                  }),
                    list.end());
     }
     if (pair.between.empty()) return PairState::clear;
@@ -74,7 +77,7 @@ RefinedPairs refine(const Scene& scene, std::vector<PatchPair> pairs,
     double width = 0;
     const auto look = [&](PatchPair pair) {
         ++result.pairs;
-        const PairState state = decide(scene, pair);
+        const PairState state = decide(scene, pair, options.pulse);
         if (decided) decided(pair, state);
         if (state == PairState::clear) {
             result.clear.low = (result.clear.low + pair.measure.low) * down;

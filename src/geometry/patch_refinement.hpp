@@ -25,13 +25,15 @@ struct PatchPair {
 
 enum class PairState : std::uint8_t { clear, blocked, open };
 
-/// Decides a pair as far as single pieces do, exactly; narrows `between` to what meets its shaft.
-PairState decide(const Scene& scene, PatchPair& pair);
+/// Decides a pair as far as single pieces do, exactly; narrows `between` to what meets its shaft. The pulse, if any, is
+/// called for each piece.
+PairState decide(const Scene& scene, PatchPair& pair, const std::function<void()>& pulse = {});
 
 struct RefinementOptions {
     double width = 0;                ///< Stop when what is open measures at most that;
     std::uint64_t max_pairs = 1000;  ///< or when so many pairs were looked at;
     double seconds = 0;              ///< or after that time; 0: no limit.
+    std::function<void()> pulse{};   ///< Called now and then, if any; may throw to end the work.
 };
 
 /// What is known about refined pairs.

@@ -97,12 +97,13 @@ struct PatchVisibility::Implementation {
     }
 
     /// A polygon that lies across everything: by one of its pieces, or, planar, by all of them.
-    PolygonId blocker(const PatchPair& whole) const {
+    PolygonId blocker(const PatchPair& whole, const std::function<void()>& pulse) const {
         for (PieceId piece : whole.between)
             if (lies_across(scene, scene.piece(piece), whole.a, whole.b)) return scene.piece(piece).polygon;
         PolygonId last = no_polygon;
         for (PieceId piece : whole.between) {
             const PolygonId polygon = scene.piece(piece).polygon;
+            if (pulse) pulse();
             if (polygon != last && planar_polygon_lies_across(scene, polygon, whole.a, whole.b)) return polygon;
             last = polygon;
         }
@@ -148,15 +149,17 @@ PatchAnswer PatchVisibility::operator()(const ConvexPatch& a, const ConvexPatch&
     for (const RationalPoint& corner : facing_b) whole.b.corners.emplace_back(corner);
     {
         const Shaft shaft(whole.a, whole.b);
-        for (PieceId piece : self.pieces_in(shaft.bounds()))
+        for (PieceId piece : self.pieces_in(shaft.bounds())) {
+            if (options.pulse) options.pulse();
             if (shaft.meets(self.scene, self.scene.piece(piece))) whole.between.push_back(piece);
+        }
     }
     if (whole.between.empty()) {
         answer.relation = PatchRelation::visible;
         answer.lower = 1;
         return answer;
     }
-    answer.blocker = self.blocker(whole);
+    answer.blocker = self.blocker(whole, options.pulse);
     if (answer.blocker != no_polygon) {
         answer.relation = PatchRelation::hidden;
         answer.upper = 0;
@@ -174,8 +177,8 @@ PatchAnswer PatchVisibility::operator()(const ConvexPatch& a, const ConvexPatch&
         return Range{parent.measure.low / 4, parent.measure.high / 4};
     };
     const auto witness = [&](const PatchPair& pair, PairState state) { self.look_for_witnesses(pair, state, answer); };
-    const RefinedPairs refined =
-        refine(self.scene, std::move(pairs), quarter, witness, {options.width, options.max_pairs, options.seconds});
+    const RefinedPairs refined = refine(self.scene, std::move(pairs), quarter, witness,
+                                        {options.width, options.max_pairs, options.seconds, options.pulse});
     answer.pairs = refined.pairs;
     answer.lower = std::min(1.0, refined.clear.low);
     answer.upper = std::min(1.0, refined.clear.high + refined.open);

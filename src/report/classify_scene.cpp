@@ -1,5 +1,6 @@
 #include "report/classify_scene.hpp"
 
+#include "arithmetic/shared_progress.hpp"
 #include "buffer/ordered_pipeline.hpp"
 #include "buffer/shared_cache.hpp"
 #include "cob/files.hpp"
@@ -66,14 +67,15 @@ struct Files {
 class BlockWork {
 public:
     BlockWork(const ElementList& elements, const CandidateSource& source, BufferBuilder& buffers,
-              const ClassifySceneOptions& options)
-        : elements_(elements), source_(source), buffers_(buffers), options_(options) {}
+              const ClassifySceneOptions& options, SharedProgress& progress)
+        : elements_(elements), source_(source), buffers_(buffers), options_(options), progress_(progress) {}
 
     void operator()(Block& block) const {
         ElementClassifier classifier(elements_, source_, options_.classify);
         SharedCache shared(elements_.scene());
         ClassifiedElement element;
         for (std::uint64_t number = block.first; number < block.last; ++number) {
+            if (number % 16 == 0) progress_.pulse();
             classifier(number, element);
             append(static_cast<RowId>(number), element, shared, block);
         }
@@ -103,6 +105,7 @@ private:
     const CandidateSource& source_;
     BufferBuilder& buffers_;
     const ClassifySceneOptions& options_;
+    SharedProgress& progress_;
 };
 
 }  // namespace
@@ -119,6 +122,7 @@ ClassifySceneResult classify_scene(const ElementList& elements, const CandidateS
     ClassifySceneResult result;
 
     // Elements, block by block.
+    SharedProgress progress(plan.progress, elements.size());
     std::uint64_t next = 0;
     ordered_pipeline<Block>(
         thread_count(plan.threads),
@@ -127,12 +131,12 @@ ClassifySceneResult classify_scene(const ElementList& elements, const CandidateS
             block.last = next = std::min(next + block_size, elements.size());
             return block.first < block.last;
         },
-        BlockWork(elements, source, builder, plan),
+        BlockWork(elements, source, builder, plan, progress),
         [&](const Block& block) {
             files.write(block);
             buffers.insert(buffers.end(), block.buffers.begin(), block.buffers.end());
             result.statistics += block.statistics;
-            if (plan.progress) plan.progress(block.last, elements.size());
+            progress.step(block.last - block.first);
         });
 
     // Faces of the picture: PLY wants them after all corners.

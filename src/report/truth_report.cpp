@@ -69,18 +69,22 @@ public:
         : elements_(elements), visibility_(elements.scene(), source), irradiance_(elements.scene(), source) {}
 
     std::size_t lights() const { return irradiance_.lights().size(); }
-    ElementTruth operator()(std::uint64_t number, BufferState state) const;
+    /// An element at the ends of binary64 may take minutes: the pulse is called now and then and may throw.
+    ElementTruth operator()(std::uint64_t number, BufferState state, const std::function<void()>& pulse) const;
 
 private:
-    LightOnElement relate(const Element& element, const ConvexPatch& patch, PolygonId light) const;
-    bool is_lit_between(const ConvexPatch& patch, const std::vector<ConvexPatch>& parts) const;
+    LightOnElement relate(const Element& element, const ConvexPatch& patch, PolygonId light,
+                          const std::function<void()>& pulse) const;
+    bool is_lit_between(const ConvexPatch& patch, const std::vector<ConvexPatch>& parts,
+                        const std::function<void()>& pulse) const;
 
     const ElementList& elements_;
     PatchVisibility visibility_;
     IrradianceOracle irradiance_;
 };
 
-LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, PolygonId light) const {
+LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, PolygonId light,
+                             const std::function<void()>& pulse) const {
     const Scene& scene = elements_.scene();
     const Root& root = elements_.root_of(element);
     LightOnElement result;
@@ -90,7 +94,7 @@ LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, P
     int visible = 0, facing = 0;
     for (const Piece& piece : scene.pieces_of(light)) {
         const ConvexPatch part = patch_of(scene, piece);
-        const PatchAnswer answer = visibility_(patch, part, {1, 0, 0});
+        const PatchAnswer answer = visibility_(patch, part, {1, 0, 0, pulse});
         if (!answer.facing) continue;
         ++facing;
         visible += answer.relation == PatchRelation::visible;
@@ -107,13 +111,14 @@ LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, P
     std::vector<std::optional<double>> shares;
     const double hemisphere = 2 * std::acos(-1.0);
     for (const Sample& sample : samples) {
+        pulse();
         const LightAtPoint seen = irradiance_(sample.point, normal, light);
         result.hemisphere.push_back(seen.solid_angle / hemisphere);
         shares.push_back(seen.unobstructed > 0 ? std::optional(seen.visible / seen.unobstructed) : std::nullopt);
     }
     if (visible == facing) return result;
     result.boundary = std::any_of(result.hemisphere.begin(), result.hemisphere.end(), [](double s) { return s > 0; });
-    if (!result.boundary) result.boundary = is_lit_between(patch, neither);
+    if (!result.boundary) result.boundary = is_lit_between(patch, neither, pulse);
     for (std::size_t p = 0; p < samples.size(); ++p)
         for (std::size_t q = 0; q < p; ++q)
             if (std::abs(samples[p].i - samples[q].i) + std::abs(samples[p].j - samples[q].j) == 1 && shares[p] &&
@@ -123,13 +128,14 @@ LightOnElement Judge::relate(const Element& element, const ConvexPatch& patch, P
 }
 
 /// No sample sees these parts of a light: whether a segment elsewhere does.
-bool Judge::is_lit_between(const ConvexPatch& patch, const std::vector<ConvexPatch>& parts) const {
+bool Judge::is_lit_between(const ConvexPatch& patch, const std::vector<ConvexPatch>& parts,
+                           const std::function<void()>& pulse) const {
     return std::any_of(parts.begin(), parts.end(), [&](const ConvexPatch& part) {
-        return visibility_(patch, part, {0, 0, pairs_between_samples}).clear.has_value();
+        return visibility_(patch, part, {0, 0, pairs_between_samples, pulse}).clear.has_value();
     });
 }
 
-ElementTruth Judge::operator()(std::uint64_t number, BufferState state) const {
+ElementTruth Judge::operator()(std::uint64_t number, BufferState state, const std::function<void()>& pulse) const {
     const Element element = elements_[number];
     ElementTruth truth;
     truth.element = number;
@@ -139,7 +145,7 @@ ElementTruth Judge::operator()(std::uint64_t number, BufferState state) const {
     std::vector<double> hemisphere;
     for (PolygonId light : irradiance_.lights()) {
         if (light == elements_.root_of(element).polygon) continue;
-        const LightOnElement seen = relate(element, patch, light);
+        const LightOnElement seen = relate(element, patch, light, pulse);
         truth.lights += seen.faces;
         truth.boundaries += seen.boundary;
         truth.sharp += seen.sharp;
@@ -223,10 +229,11 @@ TruthSummary write_truth(const ElementList& elements, const CandidateSource& sou
     const auto judge_block = [&](std::uint64_t begin, std::uint64_t end, std::uint64_t step, ElementTruth* out) {
         ElementClassifier classifier(elements, source, options.classify);
         ClassifiedElement classified;
+        const auto pulse = [&progress] { progress.pulse(); };
         for (std::uint64_t k = begin; k < end; k += step) {
-            progress.pulse();
+            pulse();
             classifier(k * stride, classified);
-            *out++ = judge(k * stride, classified.inherited ? *classified.inherited : classified.found.state);
+            *out++ = judge(k * stride, classified.inherited ? *classified.inherited : classified.found.state, pulse);
         }
     };
     if (options.say && count > 0) {
