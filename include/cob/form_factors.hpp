@@ -47,7 +47,8 @@ struct FormFactorPlan {
     std::uint64_t unobstructed = 0;  ///< Nothing meets the shaft: closed form.
     std::uint64_t obstructed = 0;    ///< Cubature.
     double occluders = 0;            ///< Pieces in the shaft of an obstructed pair, on average.
-    double seconds = 0;              ///< Estimated for the rest, on one core: a few pairs are begun.
+    double evaluations = 0;          ///< Estimated for all obstructed pairs: a few are begun.
+    double seconds = 0;              ///< The same, on one core.
 };
 
 struct FormFactorResult {

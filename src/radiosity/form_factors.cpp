@@ -3,12 +3,12 @@
 #include "arithmetic/shared_progress.hpp"
 #include "arithmetic/threads.hpp"
 #include "cob/error.hpp"
+#include "radiosity/flux_forecast.hpp"
 #include "radiosity/photometric_range.hpp"
 #include "radiosity/piece_pair.hpp"
 #include "radiosity/plane_sheets.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace cob {
@@ -80,6 +80,12 @@ struct FormFactorMatrix::Implementation {
         return pair;
     }
 
+    /// Of each of a pair's pairs of pieces.
+    QuadratureOptions quadrature(const PolygonPair& pair, const std::function<void()>& pulse) const {
+        const double parts = static_cast<double>(std::max<std::size_t>(1, pair.pieces.size()));
+        return {0.5 * options.tolerance * polygons[pair.smaller].area / parts,
+                options.certified ? options.max_subdivisions : options.max_evaluations, pulse};
+    }
     /// A_i F_ij of a pair; receiving at the larger polygon instead where turned.
     PairFlux flux(const PolygonPair& pair, bool turned, const std::function<void()>& pulse) const;
 
@@ -113,16 +119,11 @@ PairFlux FormFactorMatrix::Implementation::better(const PairFlux& a, const PairF
 PairFlux FormFactorMatrix::Implementation::flux(const PolygonPair& pair, bool turned,
                                                 const std::function<void()>& pulse) const {
     PairFlux sum;
-    const double parts = static_cast<double>(std::max<std::size_t>(1, pair.pieces.size()));
-    QuadratureOptions quadrature;
-    quadrature.tolerance = 0.5 * options.tolerance * polygons[pair.smaller].area / parts;
-    quadrature.max_evaluations = options.certified ? options.max_subdivisions : options.max_evaluations;
-    quadrature.pulse = pulse;
     const auto integrate = options.certified ? certified_flux : flux_between;
     for (const PiecePair& part : pair.pieces) {
         const QuadratureResult result =
-            turned ? integrate(context, make_pair(context, part.light, part.receiver), quadrature)
-                   : integrate(context, part, quadrature);
+            turned ? integrate(context, make_pair(context, part.light, part.receiver), quadrature(pair, pulse))
+                   : integrate(context, part, quadrature(pair, pulse));
         sum.flux.value += result.visible.value;
         sum.flux.error += result.visible.error;
         sum.evaluations += result.evaluations;
@@ -161,7 +162,7 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
     FormFactorPlan plan;
     plan.pairs = pairs.size();
     std::uint64_t obstructed_parts = 0;
-    std::vector<const PiecePair*> timed;
+    std::vector<std::pair<const PolygonPair*, const PiecePair*>> timed;
     for (const PolygonPair& pair : self.pairs) {
         const bool obstructed = pair.has(Passage::obstructed), free = pair.has(Passage::unobstructed);
         ++(pair.pieces.empty() ? plan.not_facing
@@ -172,32 +173,22 @@ FormFactorPlan FormFactorMatrix::plan(const std::vector<std::pair<PolygonId, Pol
             if (part.passage == Passage::obstructed) {
                 ++obstructed_parts;
                 plan.occluders += static_cast<double>(part.occluders.size());
-                timed.push_back(&part);
+                timed.emplace_back(&pair, &part);
             }
     }
     if (obstructed_parts == 0) return plan;
     plan.occluders /= static_cast<double>(obstructed_parts);
-    // A few are begun. Where one does not end, what is missing is guessed from how far it came: the error fell about
-    // with the fourth power of the time (the square where certified).
+    // A few, spread over all.
     const std::size_t samples = std::min<std::size_t>(timed.size(), 12);
-    const std::uint64_t most = self.options.certified ? self.options.max_subdivisions : self.options.max_evaluations;
-    const auto integrate = self.options.certified ? certified_flux : flux_between;
+    const double each = static_cast<double>(obstructed_parts) / static_cast<double>(samples);
     for (std::size_t k = 0; k < samples; ++k) {
-        const PiecePair& pair = *timed[k * timed.size() / samples];
-        const double goal = 0.5 * self.options.tolerance * self.polygons[self.scene.piece(pair.receiver).polygon].area;
-        // Behind few occluders evaluations are cheap, and most pairs end.
-        const double few = 6e5 / static_cast<double>(pair.occluders.size() * pair.occluders.size());
-        const std::uint64_t begun =
-            self.options.certified ? 50 : static_cast<std::uint64_t>(std::clamp(few, 1500.0, 2e4));
-        const std::uint64_t budget = std::min(most, begun);
-        const auto start = std::chrono::steady_clock::now();
-        const QuadratureResult result = integrate(self.context, pair, {goal, budget, {}});
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        const double missing =
-            std::pow(std::max(1.0, result.visible.error / goal), self.options.certified ? 0.5 : 0.25);
-        plan.seconds += spent.count() * std::min(missing, 2 * static_cast<double>(most) / static_cast<double>(budget));
+        const auto& [pair, part] = timed[k * timed.size() / samples];
+        const QuadratureOptions quadrature = self.quadrature(*pair, [&counter] { counter.pulse(); });
+        const FluxForecast forecast =
+            forecast_flux(self.context, *part, {quadrature, self.options.certified, self.options.both_sides, samples});
+        plan.evaluations += each * forecast.evaluations;
+        plan.seconds += each * forecast.seconds;
     }
-    plan.seconds *= static_cast<double>(obstructed_parts) / static_cast<double>(samples);
     return plan;
 }
 

@@ -22,8 +22,14 @@ FormFactorResult matrix_of(const RoomBuilder& room, const FormFactorOptions& opt
     const Scene scene = room.build();
     const EveryPolygon everything(scene);
     FormFactorMatrix matrix(scene, everything, options);
-    matrix.plan(pairs);
-    return matrix.compute();
+    const FormFactorPlan plan = matrix.plan(pairs);
+    const FormFactorResult result = matrix.compute();
+    // What it would take was said beforehand; of little, not so well.
+    if (result.evaluations > 20000) {
+        EXPECT_LT(plan.evaluations, 4 * static_cast<double>(result.evaluations));
+        EXPECT_GT(plan.evaluations, static_cast<double>(result.evaluations) / 4);
+    }
+    return result;
 }
 
 // Value and error of one form factor; zero with no error where it has no row.
