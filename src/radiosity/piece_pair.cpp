@@ -4,6 +4,7 @@
 #include "radiosity/cells.hpp"
 #include "radiosity/certified_flux.hpp"
 #include "radiosity/lambert_sum.hpp"
+#include "radiosity/penumbra.hpp"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -70,6 +71,12 @@ double form_factor_to(std::vector<Vector3<double>> corners, const Vector3<double
     for (Vector3<double>& corner : corners) corner = corner - from;
     return lambert_sum(normal, corners.data(), static_cast<int>(corners.size())).value /
            (2 * boost::math::constants::pi<double>());
+}
+
+std::vector<Vector3<double>> relative(const ReceiverFrame& frame, const Polygon2D& polygon) {
+    std::vector<Vector3<double>> corners;
+    for (const Point2D& corner : polygon) corners.push_back(frame.relative_at(corner));
+    return corners;
 }
 
 QuadratureResult unobstructed_flux(const PiecePair& pair, const ReceiverFrame& frame) {
@@ -157,6 +164,63 @@ PointValue exact_value(const PairContext& context, const PairParts& parts, const
     return {view.unobstructed, view.visible};
 }
 
+/// What occluders may hide over a triangle, whatever its structure: no more than all of the light in their penumbrae.
+class PossibleShadows {
+public:
+    PossibleShadows(const PairParts& parts, const ReceiverFrame& frame, const std::vector<ConvexPolygon>& sending)
+        : first_(parts.occluders.data()), frame_(frame) {
+        const auto corners_of = [&](const CornerLoop& loop, std::vector<Vector3<double>>& corners) {
+            for (const VertexId v : loop.corners) corners.push_back(parts.shapes.bounded_corner(v).value);
+        };
+        std::vector<Vector3<double>> light;
+        for (const CornerLoop& part : parts.lights) corners_of(part, light);
+        for (const CornerLoop& occluder : parts.occluders) {
+            std::vector<Vector3<double>> corners;
+            corners_of(occluder, corners);
+            penumbrae_.push_back(penumbra(light, corners));
+        }
+        for (const ConvexPolygon& part : sending) lights_.push_back(relative(frame, part));
+    }
+
+    Integral range(const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) const {
+        const Integral all = unobstructed(left_around(t));
+        const double hidden = std::min(all.value, hidden_at_most(t, occluders));
+        return {all.value - hidden / 2, hidden / 2 + all.error};
+    }
+
+private:
+    Integral unobstructed(const Polygon2D& polygon) const {
+        Integral sum;
+        for (const std::vector<Vector3<double>>& light : lights_) {
+            const Integral part = mutual_flux(relative(frame_, polygon), light);
+            sum.value += part.value, sum.error += part.error;
+        }
+        return sum;
+    }
+
+    double hidden_at_most(const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) const {
+        std::vector<Polygon2D> dark;
+        double dark_area = 0;
+        for (const CornerLoop* occluder : occluders) {
+            const std::optional<Polygon2D>& penumbra = penumbrae_[static_cast<std::size_t>(occluder - first_)];
+            dark.push_back(penumbra ? common_part(t, *penumbra) : left_around(t));
+            dark_area += area(dark.back());
+            if (dark_area >= area(t)) return HUGE_VAL;  // closed forms cost more than they would tell
+        }
+        double sum = 0;
+        for (const Polygon2D& part : dark) {
+            const Integral flux = unobstructed(part);
+            sum += flux.value + flux.error;
+        }
+        return sum;
+    }
+
+    const CornerLoop* first_;
+    const ReceiverFrame& frame_;
+    std::vector<std::optional<Polygon2D>> penumbrae_;
+    std::vector<std::vector<Vector3<double>>> lights_;
+};
+
 }  // namespace
 
 PiecePair make_pair(const PairContext& context, PieceId receiver, PieceId light) {
@@ -208,10 +272,10 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
             return exact_value(context, parts, pair, frame.point_at(where), around.occluders);
         }
     };
-    integrand.unobstructed = [&](const Triangle2D& t) {
-        const bool left = turn(t) > 0;
-        return mutual_flux(
-            {frame.relative_at(t[0]), frame.relative_at(t[left ? 1 : 2]), frame.relative_at(t[left ? 2 : 1])}, sender);
+    integrand.unobstructed = [&](const Triangle2D& t) { return mutual_flux(relative(frame, left_around(t)), sender); };
+    const PossibleShadows shadows(parts, frame, pair.sending);
+    integrand.range = [&](const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
+        return shadows.range(t, occluders);
     };
 
     std::vector<Triangle2D> triangles;

@@ -2,6 +2,7 @@
 
 #include "radiosity/cells.hpp"
 #include "radiosity/gauss.hpp"
+#include "radiosity/lambert.hpp"
 
 #include <algorithm>
 #include <array>
@@ -202,32 +203,41 @@ double Cubature::misfit(const Structure& structure, Cell& cell) {
 }
 
 /// Near an occluder what is hidden varies on the scale of its distance, and a peak may stand between the points of a
-/// larger cell. So the places of the cell next to its corners and sides are looked at: where more or less is hidden
-/// than the points allow for, by as much again as they vary, that much may be missed around, twice as far as it is
-/// away.
+/// larger cell. So the places of the cell next to its middle, corners and sides are looked at: where more or less is
+/// hidden than the points allow for, by as much again as they vary, that much may be missed under it, and around its
+/// sides twice as far as they are away.
 double Cubature::missed_peaks(const Triangle2D& cell, const Structure& structure, const Parts& parts) {
     const Point2D centre = centroid(cell);
     const double radius = reach(cell), spread = parts.most_hidden - parts.least_hidden, all = area(cell);
+    struct Peak {
+        double away, beyond;
+    };
+    const auto next_to = [&](const Vector3<double>& p) -> Peak {
+        const Point2D place = nearest_in(cell, {p.x, p.y});
+        const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
+        if (!(away < radius)) return {away, 0};
+        const PointValue value = integrand_.by_contour(place, structure.contour);
+        ++evaluations_;
+        const double hidden = value.unobstructed - value.visible;
+        return {away, std::max({0.0, hidden - parts.most_hidden - spread, parts.least_hidden - hidden - spread})};
+    };
     double sum = 0;
     for (const CornerLoop* occluder : structure.occluders) {
-        double missed = 0;
-        for (std::size_t k = 0; k < occluder->corners.size(); ++k) {
-            const Vector3<double> a = integrand_.corner(occluder->corners[k]);
-            const Vector3<double> b = integrand_.corner(occluder->corners[(k + 1) % occluder->corners.size()]),
-                                  d = b - a;
+        std::vector<Vector3<double>> corners;
+        for (const VertexId v : occluder->corners) corners.push_back(integrand_.corner(v));
+        Vector3<double> middle = corners[0], doubled_area{};
+        double around_sides = 0;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Vector3<double>&a = corners[k], &b = corners[(k + 1) % corners.size()];
             for (const Vector3<double>& p : {a, nearest_on_side(a, b, {centre.s, centre.t, 0})}) {
-                const Point2D place = nearest_in(cell, {p.x, p.y});
-                const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
-                if (!(away < radius)) continue;
-                const PointValue value = integrand_.by_contour(place, structure.contour);
-                ++evaluations_;
-                const double hidden = value.unobstructed - value.visible;
-                const double beyond = std::max(hidden - parts.most_hidden, parts.least_hidden - hidden) - spread;
-                const double around = 2 * away * (3 * away + std::min(2 * radius, std::sqrt(dot(d, d))));
-                missed = std::max(missed, beyond * std::min(all, around));
+                const Peak peak = next_to(p);
+                const double around = 2 * peak.away * (3 * peak.away + std::min(2 * radius, length(b - a)));
+                around_sides = std::max(around_sides, peak.beyond * std::min(all, around));
             }
+            middle = middle + (1 / static_cast<double>(k + 1)) * (a - middle);
+            doubled_area = doubled_area + cross(a - corners[0], b - corners[0]);
         }
-        sum += missed;
+        sum += around_sides + next_to(middle).beyond * std::min(all, std::abs(doubled_area.z) / 2);
     }
     return sum;
 }
@@ -237,9 +247,9 @@ void Cubature::evaluate(Cell& cell) {
     const double all = area(cell.triangle);
     if (structure.event) {
         cell.event = structure.event;
-        cell.visible = {all / 2, all / 2};  // between nothing and all
-        cell.undecided = all > worth_sampling * area_;
-        if (!cell.undecided) sample_undecided(cell, structure);
+        cell.visible = integrand_.range(cell.triangle, structure.occluders);
+        cell.undecided = true;
+        if (all <= worth_sampling * area_) sample_undecided(cell, structure);
         cell.occluders = std::move(structure.occluders);
         return;
     }
@@ -266,15 +276,17 @@ void Cubature::evaluate(Cell& cell) {
     cell.occluders = std::move(structure.occluders);
 }
 
-/// Where the budget does not suffice to know the structure: as well as samples tell.
+/// Where the budget does not suffice to know the structure: as well as samples tell. Near an occluder whole shadows may
+/// stand between the points: as long as a line is left there to cut along, nothing more is said than the range.
 void Cubature::sample_undecided(Cell& cell, const Structure& structure) {
+    if (structure.event->linear && !std::isfinite(structure.change)) return;
     const auto value_at = [&](const Point2D& point) { return integrand_.exact(point, structure); };
     const Parts parts = sample<4, 2>(cell.triangle, value_at);
-    const double all = area(cell.triangle);
-    const double missed =
-        std::min(missed_most * (parts.visible.value + parts.hidden.value), missed_by_motion * structure.change * all);
+    const double most = cell.visible.value + cell.visible.error;
+    const double missed = std::min(missed_most * most, missed_by_motion * structure.change * area(cell.triangle));
     if (parts.visible.error + missed < cell.visible.error)
         cell.visible = {parts.visible.value, parts.visible.error + missed};
+    cell.undecided = false;
 }
 
 void Cubature::look(Cell cell) {

@@ -41,7 +41,9 @@ struct ReceiverIntegrand {
     /// By the contour of the triangle: the same but for rounding, and cheaper.
     std::function<PointValue(const Point2D&, const Contour&)> by_contour;
     std::function<Integral(const Triangle2D&)> unobstructed;  ///< Integral over a triangle, in closed form.
-    std::function<Vector3<double>(VertexId)> corner;          ///< Of an occluder: (s, t, h).
+    /// Between all penumbrae of a triangle's occluders dark and nothing hidden: the middle and half the width.
+    std::function<Integral(const Triangle2D&, const std::vector<const CornerLoop*>&)> range;
+    std::function<Vector3<double>(VertexId)> corner;  ///< Of an occluder: (s, t, h).
 };
 
 struct QuadratureOptions {
