@@ -237,8 +237,8 @@ void ContourSearch::emit(const Arc& arc, Effect effect) {
         return ray;
     };
     const ContourRay from = numbered(arc.from), to = numbered(arc.to);
-    const bool along = effect == Effect::keeps;
-    contour_.arcs.push_back({number(arc.plane.index), along ? from : to, along ? to : from});
+    const bool of_light = effect == Effect::keeps;
+    contour_.arcs.push_back({number(arc.plane.index), of_light ? from : to, of_light ? to : from, of_light});
 }
 
 Contour ContourSearch::run(const std::vector<CornerLoop>& lights, const std::vector<const CornerLoop*>& occluders) {

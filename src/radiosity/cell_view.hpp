@@ -19,6 +19,7 @@ namespace cob::radiosity {
 struct ContourArc {
     std::int32_t side = -1;
     ContourRay from, to;
+    bool of_light = false;  ///< Else of an occluder.
 };
 
 /// The border of a visible region. Arcs run around it to the left, as seen from x; those of the light's parts may

@@ -87,6 +87,10 @@ std::vector<Triangle2D> along_chord(const UndecidedSign& event, const Triangle2D
 
 }  // namespace
 
+Polygon2D left_around(const Triangle2D& t) {
+    return turn(t) < 0 ? Polygon2D{t[0], t[2], t[1]} : Polygon2D{t[0], t[1], t[2]};
+}
+
 double turn(const Triangle2D& t) {
     return (t[1].s - t[0].s) * (t[2].t - t[0].t) - (t[2].s - t[0].s) * (t[1].t - t[0].t);
 }

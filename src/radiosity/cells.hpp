@@ -8,6 +8,11 @@
 
 namespace cob::radiosity {
 
+/// Counter-clockwise, convex.
+using Polygon2D = std::vector<Point2D>;
+
+/// The triangle, its corners counter-clockwise.
+Polygon2D left_around(const Triangle2D& t);
 /// Twice the signed area.
 double turn(const Triangle2D& t);
 /// Not below the true area, unless that is lost in the corners' rounding.

@@ -12,42 +12,56 @@ namespace {
 using Vector = Vector3<double>;
 using Corners = std::vector<Vector>;
 
+/// A sum and the sum of its terms' magnitudes: what it is off by is some roundings of that.
+struct Sum {
+    double value = 0, size = 0;
+};
+
 /// Integral over [0, length] of ln |w + t v|, v of length 1.
-double inner_integral(const Vector& w, const Vector& v, double length_v) {
+Sum inner_integral(const Vector& w, const Vector& v, double length_v) {
     const double begin = dot(w, v), end = begin + length_v, d = length(cross(w, v));
-    const auto primitive = [d](double x) {
+    Sum sum;
+    const auto add_primitive = [&](double x, double sign) {
         const double square = x * x + d * d;
-        if (square == 0) return 0.0;
-        return x * (std::log(square) / 2 - 1) + d * std::atan2(x, d);
+        if (square == 0) return;
+        const double one = x * (std::log(square) / 2 - 1), other = d * std::atan2(x, d);
+        sum.value += sign * (one + other), sum.size += std::abs(one) + std::abs(other);
     };
-    return primitive(end) - primitive(begin);
+    add_primitive(end, 1), add_primitive(begin, -1);
+    return sum;
 }
 
-/// Outer integral over [begin, end], bisected until two rules agree as well as rounding lets them.
+/// Outer integral over [begin, end], bisected until two rules agree within the error that may be, or as well as
+/// rounding lets them.
 template <class F>
-Integral adaptive(const F& f, double begin, double end, int depth) {
+Integral adaptive(const F& f, double begin, double end, double may_be_off, int depth) {
     const auto& fine = gauss_rule<12>();
     const auto& coarse = gauss_rule<8>();
     double a = 0, b = 0, size = 0;
     for (std::size_t k = 0; k < 12; ++k) {
-        const double value = fine.weight[k] * f(begin + fine.node[k] * (end - begin));
-        a += value, size += std::abs(value);
+        const Sum sum = f(begin + fine.node[k] * (end - begin));
+        a += fine.weight[k] * sum.value, size += fine.weight[k] * sum.size;
     }
-    for (std::size_t k = 0; k < 8; ++k) b += coarse.weight[k] * f(begin + coarse.node[k] * (end - begin));
+    for (std::size_t k = 0; k < 8; ++k) b += coarse.weight[k] * f(begin + coarse.node[k] * (end - begin)).value;
     a *= end - begin, b *= end - begin, size *= end - begin;
     const double difference = std::abs(a - b);
-    if (!(difference > std::max(2e-16, 2e-15 * size)) || depth == 0) return {a, difference};  // also with NaN
+    const bool agree = !(difference > std::max({2e-16, 2e-15 * size, may_be_off}));  // also with NaN
+    if (agree || depth == 0) return {a, difference + 0x1p-52 * size};
     const double middle = (begin + end) / 2;
-    const Integral left = adaptive(f, begin, middle, depth - 1), right = adaptive(f, middle, end, depth - 1);
+    const Integral left = adaptive(f, begin, middle, may_be_off / 2, depth - 1),
+                   right = adaptive(f, middle, end, may_be_off / 2, depth - 1);
     return {left.value + right.value, left.error + right.error};
 }
 
 /// Sides u from p and v from q: (u . v) times the mean of ln r over both.
-Integral side_pair(const Vector& p, const Vector& u, const Vector& q, const Vector& v) {
+Integral side_pair(const Vector& p, const Vector& u, const Vector& q, const Vector& v, double may_be_off) {
     const double along = dot(u, v), lu = length(u), lv = length(v);
     if (along == 0 || lu == 0 || lv == 0) return {};
     const Vector direction = (1 / lv) * v;
-    const auto f = [&](double s) { return inner_integral(q - (p + s * u), direction, lv) / lv; };
+    const auto f = [&](double s) {
+        const Sum sum = inner_integral(q - (p + s * u), direction, lv);
+        return Sum{sum.value / lv, sum.size / lv};
+    };
     // Where the outer side passes an end of the inner one nearest, the integrand may turn sharply.
     std::vector<double> cuts{0, 1};
     for (const Vector& end : {q, q + v}) {
@@ -57,10 +71,22 @@ Integral side_pair(const Vector& p, const Vector& u, const Vector& q, const Vect
     std::sort(cuts.begin(), cuts.end());
     Integral sum;
     for (std::size_t k = 1; k < cuts.size(); ++k) {
-        const Integral part = adaptive(f, cuts[k - 1], cuts[k], 48);
-        sum.value += part.value, sum.error += part.error;
+        sum += adaptive(f, cuts[k - 1], cuts[k], may_be_off / std::abs(along), 48);
     }
     return {along * sum.value, std::abs(along) * (sum.error + 1e-15)};
+}
+
+/// Contour integrals of ln r along a and along the side from p to q. Lengths are counted in the unit: a constant added
+/// to ln r changes nothing but the cancellation.
+Integral flux_of_side(const Corners& a, const Vector& p, const Vector& q, double unit, double may_be_off) {
+    const double scale = unit * unit / (2 * boost::math::constants::pi<double>());
+    const double share = may_be_off / scale / static_cast<double>(a.size());
+    Integral sum;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += side_pair(1 / unit * a[i], 1 / unit * (a[(i + 1) % a.size()] - a[i]), 1 / unit * p, 1 / unit * (q - p),
+                         share);
+    }
+    return {scale * sum.value, scale * sum.error};
 }
 
 /// Far apart the sides' logarithms cancel, and the kernel itself is smooth: product rules over triangles.
@@ -116,24 +142,25 @@ Ball ball_around(const Corners& corners) {
 
 }  // namespace
 
-Integral mutual_flux(const Corners& a, const Corners& b) {
+Integral mutual_flux(const Corners& a, const Corners& b, double may_be_off) {
     const Ball ball_a = ball_around(a), ball_b = ball_around(b);
     const double distance = length(ball_b.centre - ball_a.centre);
     if (distance > 8 * (ball_a.radius + ball_b.radius)) {
         const double value = by_kernel(a, b);
         return {value, 1e-12 * value};
     }
-    // In units of the distance: a constant added to ln r changes nothing but the cancellation.
-    const double unit = 1 / (distance > 0 ? distance : ball_a.radius + ball_b.radius);
+    const double unit = distance > 0 ? distance : ball_a.radius + ball_b.radius;
     Integral sum;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const Integral part = side_pair(unit * a[i], unit * (a[(i + 1) % a.size()] - a[i]), unit * b[j],
-                                            unit * (b[(j + 1) % b.size()] - b[j]));
-            sum.value += part.value, sum.error += part.error;
-        }
-    const double scale = 1 / (2 * boost::math::constants::pi<double>() * unit * unit);
-    return {std::max(0.0, scale * sum.value), scale * sum.error};
+    for (std::size_t j = 0; j < b.size(); ++j) {
+        const Integral part =
+            flux_of_side(a, b[j], b[(j + 1) % b.size()], unit, may_be_off / static_cast<double>(b.size()));
+        sum += part;
+    }
+    return {std::max(0.0, sum.value), sum.error};
+}
+
+Integral mutual_flux_of_side(const Corners& a, const Vector& p, const Vector& q, double may_be_off) {
+    return flux_of_side(a, p, q, ball_around(a).radius, may_be_off);
 }
 
 }  // namespace cob::radiosity

@@ -6,11 +6,6 @@
 namespace cob::radiosity {
 namespace {
 
-/// Twice the signed area of a triangle.
-double turn(const Point2D& a, const Point2D& b, const Point2D& c) {
-    return (b.s - a.s) * (c.t - a.t) - (c.s - a.s) * (b.t - a.t);
-}
-
 /// Andrew's monotone chain.
 Polygon2D hull_of(Polygon2D points) {
     std::sort(points.begin(), points.end(),
@@ -19,7 +14,7 @@ Polygon2D hull_of(Polygon2D points) {
     for (int chain = 0; chain < 2; ++chain) {
         const std::size_t first = hull.size();
         for (const Point2D& p : points) {
-            while (hull.size() >= first + 2 && !(turn(hull[hull.size() - 2], hull.back(), p) > 0)) hull.pop_back();
+            while (hull.size() >= first + 2 && !(turn({hull[hull.size() - 2], hull.back(), p}) > 0)) hull.pop_back();
             hull.push_back(p);
         }
         hull.pop_back();  // where the other chain begins
@@ -30,8 +25,7 @@ Polygon2D hull_of(Polygon2D points) {
 
 }  // namespace
 
-std::optional<Polygon2D> penumbra(const std::vector<Vector3<double>>& light,
-                                  const std::vector<Vector3<double>>& occluder) {
+std::optional<Polygon2D> penumbra(const Corners3D& light, const Corners3D& occluder) {
     Polygon2D shadows;
     for (const Vector3<double>& from : light)
         for (const Vector3<double>& p : occluder) {
@@ -42,14 +36,9 @@ std::optional<Polygon2D> penumbra(const std::vector<Vector3<double>>& light,
     return hull_of(std::move(shadows));
 }
 
-Polygon2D left_around(const Triangle2D& triangle) {
-    const auto& [a, b, c] = triangle;
-    return turn(a, b, c) < 0 ? Polygon2D{a, c, b} : Polygon2D{a, b, c};
-}
-
 double area(const Polygon2D& convex) {
     double doubled = 0;
-    for (std::size_t k = 2; k < convex.size(); ++k) doubled += turn(convex[0], convex[k - 1], convex[k]);
+    for (std::size_t k = 2; k < convex.size(); ++k) doubled += turn({convex[0], convex[k - 1], convex[k]});
     return doubled / 2;
 }
 
@@ -60,7 +49,7 @@ Polygon2D common_part(const Triangle2D& triangle, const Polygon2D& convex) {
         Polygon2D left;
         for (std::size_t i = 0; i < part.size(); ++i) {
             const Point2D &p = part[i], &q = part[(i + 1) % part.size()];
-            const double side_p = turn(a, b, p), side_q = turn(a, b, q);
+            const double side_p = turn({a, b, p}), side_q = turn({a, b, q});
             if (side_p >= 0) left.push_back(p);
             if ((side_p > 0 && side_q < 0) || (side_p < 0 && side_q > 0)) {
                 const double f = side_p / (side_p - side_q);
@@ -70,6 +59,58 @@ Polygon2D common_part(const Triangle2D& triangle, const Polygon2D& convex) {
         part = std::move(left);
     }
     return part;
+}
+
+PossibleShadows::PossibleShadows(const PairShapes& shapes, const std::vector<CornerLoop>& lights,
+                                 const std::vector<CornerLoop>& occluders) {
+    const auto corners_of = [&](const CornerLoop& loop) {
+        Corners3D corners;
+        for (const VertexId v : loop.corners) corners.push_back(shapes.bounded_corner(v).value);
+        return corners;
+    };
+    Corners3D all_lights;
+    for (const CornerLoop& light : lights) {
+        lights_.push_back(corners_of(light));
+        all_lights.insert(all_lights.end(), lights_.back().begin(), lights_.back().end());
+    }
+    for (const CornerLoop& occluder : occluders) {
+        if (penumbrae_.size() <= occluder.number) penumbrae_.resize(occluder.number + 1);
+        penumbrae_[occluder.number] = penumbra(all_lights, corners_of(occluder));
+    }
+}
+
+Integral PossibleShadows::unobstructed(const Polygon2D& polygon, double may_be_off) const {
+    Corners3D corners;
+    for (const Point2D& p : polygon) corners.push_back({p.s, p.t, 0});
+    Integral sum;
+    for (const Corners3D& light : lights_) sum += mutual_flux(corners, light, may_be_off);
+    return sum;
+}
+
+double PossibleShadows::hidden_at_most(const Triangle2D& t, const std::vector<const CornerLoop*>& occluders,
+                                       double may_be_off) const {
+    std::vector<Polygon2D> dark;
+    double dark_area = 0;
+    for (const CornerLoop* occluder : occluders) {
+        const std::optional<Polygon2D>& penumbra = penumbrae_[occluder->number];
+        dark.push_back(penumbra ? common_part(t, *penumbra) : left_around(t));
+        dark_area += area(dark.back());
+        if (dark_area >= area(t)) return HUGE_VAL;  // closed forms would cost more than they tell
+    }
+    double sum = 0;
+    for (const Polygon2D& part : dark) {
+        if (!(area(part) > 0)) continue;
+        const Integral flux = unobstructed(part, may_be_off);
+        sum += flux.value + flux.error;
+    }
+    return sum;
+}
+
+FluxRange PossibleShadows::range(const Triangle2D& t, const std::vector<const CornerLoop*>& occluders,
+                                 double may_be_off) const {
+    const Integral all = unobstructed(left_around(t), may_be_off);
+    const double hidden = std::min(all.value, hidden_at_most(t, occluders, may_be_off));
+    return {all.value - hidden - all.error, all.value + all.error};
 }
 
 }  // namespace cob::radiosity

@@ -4,7 +4,6 @@
 #include "radiosity/cells.hpp"
 #include "radiosity/certified_flux.hpp"
 #include "radiosity/lambert_sum.hpp"
-#include "radiosity/penumbra.hpp"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -73,19 +72,11 @@ double form_factor_to(std::vector<Vector3<double>> corners, const Vector3<double
            (2 * boost::math::constants::pi<double>());
 }
 
-std::vector<Vector3<double>> relative(const ReceiverFrame& frame, const Polygon2D& polygon) {
-    std::vector<Vector3<double>> corners;
-    for (const Point2D& corner : polygon) corners.push_back(frame.relative_at(corner));
-    return corners;
-}
-
 QuadratureResult unobstructed_flux(const PiecePair& pair, const ReceiverFrame& frame) {
     QuadratureResult result;
     for (const ConvexPolygon& a : pair.receiving)
-        for (const ConvexPolygon& b : pair.sending) {
-            const Integral part = mutual_flux(relative(frame, a), relative(frame, b));
-            result.visible.value += part.value, result.visible.error += part.error;
-        }
+        for (const ConvexPolygon& b : pair.sending)
+            result.visible += mutual_flux(relative(frame, a), relative(frame, b));
     return result;
 }
 
@@ -164,63 +155,6 @@ PointValue exact_value(const PairContext& context, const PairParts& parts, const
     return {view.unobstructed, view.visible};
 }
 
-/// What occluders may hide over a triangle, whatever its structure: no more than all of the light in their penumbrae.
-class PossibleShadows {
-public:
-    PossibleShadows(const PairParts& parts, const ReceiverFrame& frame, const std::vector<ConvexPolygon>& sending)
-        : first_(parts.occluders.data()), frame_(frame) {
-        const auto corners_of = [&](const CornerLoop& loop, std::vector<Vector3<double>>& corners) {
-            for (const VertexId v : loop.corners) corners.push_back(parts.shapes.bounded_corner(v).value);
-        };
-        std::vector<Vector3<double>> light;
-        for (const CornerLoop& part : parts.lights) corners_of(part, light);
-        for (const CornerLoop& occluder : parts.occluders) {
-            std::vector<Vector3<double>> corners;
-            corners_of(occluder, corners);
-            penumbrae_.push_back(penumbra(light, corners));
-        }
-        for (const ConvexPolygon& part : sending) lights_.push_back(relative(frame, part));
-    }
-
-    Integral range(const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) const {
-        const Integral all = unobstructed(left_around(t));
-        const double hidden = std::min(all.value, hidden_at_most(t, occluders));
-        return {all.value - hidden / 2, hidden / 2 + all.error};
-    }
-
-private:
-    Integral unobstructed(const Polygon2D& polygon) const {
-        Integral sum;
-        for (const std::vector<Vector3<double>>& light : lights_) {
-            const Integral part = mutual_flux(relative(frame_, polygon), light);
-            sum.value += part.value, sum.error += part.error;
-        }
-        return sum;
-    }
-
-    double hidden_at_most(const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) const {
-        std::vector<Polygon2D> dark;
-        double dark_area = 0;
-        for (const CornerLoop* occluder : occluders) {
-            const std::optional<Polygon2D>& penumbra = penumbrae_[static_cast<std::size_t>(occluder - first_)];
-            dark.push_back(penumbra ? common_part(t, *penumbra) : left_around(t));
-            dark_area += area(dark.back());
-            if (dark_area >= area(t)) return HUGE_VAL;  // closed forms cost more than they would tell
-        }
-        double sum = 0;
-        for (const Polygon2D& part : dark) {
-            const Integral flux = unobstructed(part);
-            sum += flux.value + flux.error;
-        }
-        return sum;
-    }
-
-    const CornerLoop* first_;
-    const ReceiverFrame& frame_;
-    std::vector<std::optional<Polygon2D>> penumbrae_;
-    std::vector<std::vector<Vector3<double>>> lights_;
-};
-
 }  // namespace
 
 PiecePair make_pair(const PairContext& context, PieceId receiver, PieceId light) {
@@ -260,22 +194,28 @@ QuadratureResult flux_between(const PairContext& context, const PiecePair& pair,
     integrand.corner = [&](VertexId v) { return parts.shapes.bounded_corner(v).value; };
     integrand.by_contour = [&](const Point2D& where, const Contour& contour) {
         const double unobstructed = form_factor_to(sender, frame.relative_at(where), frame.normal());
-        return PointValue{unobstructed, std::clamp(form_factor_at(parts.shapes, where, contour), 0.0, unobstructed)};
+        return PointValue{unobstructed, form_factor_at(parts.shapes, where, contour)};
     };
     integrand.exact = [&](const Point2D& where, const Structure& around) {
         if (around.occluders.size() > most_by_contour)
             return exact_value(context, parts, pair, frame.point_at(where), around.occluders);
         try {
-            return integrand.by_contour(where,
-                                        CellView(around.view, where).visible_contour(parts.lights, around.occluders));
+            PointValue value = integrand.by_contour(
+                where, CellView(around.view, where).visible_contour(parts.lights, around.occluders));
+            value.visible = std::clamp(value.visible, 0.0, value.unobstructed);
+            return value;
         } catch (const UndecidedSign&) {
             return exact_value(context, parts, pair, frame.point_at(where), around.occluders);
         }
     };
-    integrand.unobstructed = [&](const Triangle2D& t) { return mutual_flux(relative(frame, left_around(t)), sender); };
-    const PossibleShadows shadows(parts, frame, pair.sending);
-    integrand.range = [&](const Triangle2D& t, const std::vector<const CornerLoop*>& occluders) {
-        return shadows.range(t, occluders);
+    integrand.unobstructed = [&](const Triangle2D& t, double may_be_off) {
+        std::vector<Vector3<double>> corners;
+        for (const Point2D& corner : left_around(t)) corners.push_back(frame.relative_at(corner));
+        return mutual_flux(corners, sender, may_be_off);
+    };
+    const PossibleShadows shadows(parts.shapes, parts.lights, parts.occluders);
+    integrand.range = [&](const Triangle2D& t, const std::vector<const CornerLoop*>& occluders, double may_be_off) {
+        return shadows.range(t, occluders, may_be_off);
     };
 
     std::vector<Triangle2D> triangles;

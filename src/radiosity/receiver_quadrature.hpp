@@ -10,6 +10,7 @@
 
 #include "radiosity/cell_view.hpp"
 #include "radiosity/contour.hpp"
+#include "radiosity/penumbra.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -38,11 +39,12 @@ struct ReceiverIntegrand {
     std::function<Structure(const Triangle2D&, const std::vector<const CornerLoop*>&)> structure;
     /// At a point of a triangle of whatever structure.
     std::function<PointValue(const Point2D&, const Structure&)> exact;
-    /// By the contour of the triangle: the same but for rounding, and cheaper.
+    /// By the contour of the triangle: the same but for rounding, and cheaper. By some of its arcs: what these add.
     std::function<PointValue(const Point2D&, const Contour&)> by_contour;
-    std::function<Integral(const Triangle2D&)> unobstructed;  ///< Integral over a triangle, in closed form.
-    /// Between all penumbrae of a triangle's occluders dark and nothing hidden: the middle and half the width.
-    std::function<Integral(const Triangle2D&, const std::vector<const CornerLoop*>&)> range;
+    /// Integral over a triangle, in closed form; its error may be that large.
+    std::function<Integral(const Triangle2D&, double may_be_off)> unobstructed;
+    /// Between a triangle's occluders hiding all they may and nothing.
+    std::function<FluxRange(const Triangle2D&, const std::vector<const CornerLoop*>&, double may_be_off)> range;
     std::function<Vector3<double>(VertexId)> corner;  ///< Of an occluder: (s, t, h).
 };
 

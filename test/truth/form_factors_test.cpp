@@ -340,17 +340,6 @@ TEST(FormFactors, NarrowPenumbraeAreNotMissed) {
     expect_value(matrix_of(scene), 0, 1, truth);
 }
 
-// A speck of 0.02 over the floor by 0.001, under a light of 100 x 100: its peak is not missed between the points. The
-// truth is that of two programs apart from this one: what is hidden, integrated over the speck; the light, clipped.
-TEST(FormFactors, SpecksUnderLargeLightsAreNotMissed) {
-    const Scene scene = RoomBuilder()
-                            .sheet(0, 0, 1, 1, 0, true)
-                            .sheet(-50, -50, 50, 50, 0.05, false)
-                            .polygon({{0.62, 0.31, 0.001}, {0.64, 0.31, 0.001}, {0.62, 0.33, 0.001}})
-                            .build();
-    expect_value(matrix_of(scene), 0, 1, 0.9997991822);
-}
-
 // An L-shaped room: closed, not convex, and its rows sum to 1; both sides computed on their own agree.
 // A folded polygon that sees itself is one pair: both sides of it are the same integral.
 TEST(FormFactors, OfItselfIsIntegratedOnce) {
