@@ -32,7 +32,7 @@ Sum inner_integral(const Vector& w, const Vector& v, double length_v) {
 }
 
 /// Outer integral over [begin, end], bisected until two rules agree within the error that may be, or as well as
-/// rounding lets them.
+/// rounding lets them. That much counts as error even where they agree better: they may by chance.
 template <class F>
 Integral adaptive(const F& f, double begin, double end, double may_be_off, int depth) {
     const auto& fine = gauss_rule<12>();
@@ -46,7 +46,7 @@ Integral adaptive(const F& f, double begin, double end, double may_be_off, int d
     a *= end - begin, b *= end - begin, size *= end - begin;
     const double difference = std::abs(a - b);
     const bool agree = !(difference > std::max({2e-16, 2e-15 * size, may_be_off}));  // also with NaN
-    if (agree || depth == 0) return {a, difference + 0x1p-52 * size};
+    if (agree || depth == 0) return {a, difference + may_be_off + 0x1p-52 * size};
     const double middle = (begin + end) / 2;
     const Integral left = adaptive(f, begin, middle, may_be_off / 2, depth - 1),
                    right = adaptive(f, middle, end, may_be_off / 2, depth - 1);

@@ -22,7 +22,7 @@ double growth_until(double goal, double error, double area, double triangles) {
     // triangles there are; of other goals, evaluations grow with the cube root.
     constexpr double fitted = 5e-7, order_of_goal = 1.0 / 3;
     const double missing = std::log(std::max(1.0, error / area / fitted));
-    return std::exp((0.022 + 0.005 * std::min(12.0, triangles)) * missing * missing) *
+    return std::exp((0.017 + 0.0042 * std::min(12.0, triangles)) * missing * missing) *
            std::pow(fitted * area / goal, order_of_goal);
 }
 

@@ -58,6 +58,7 @@ struct Cell {
     Integral visible{};
     std::optional<UndecidedSign> event{};  ///< Where to cut it; nothing where it is smooth.
     std::optional<FluxRange> range{};      ///< Of unknown structure, and nothing was sampled.
+    std::uint64_t reserved = 0;            ///< Evaluations that it will take at the end, if it is not cut.
 };
 
 class Cubature {
@@ -95,6 +96,7 @@ private:
     template <class F>
     void add_missed_peaks(const Triangle2D& cell, const SplitContour& split, const F& value_at, Parts& parts);
     void evaluate(Cell& cell);
+    static bool may_be_sampled(const Structure& structure);
     void sample_undecided(Cell& cell, const Structure& structure);
     void choose_in_range(Cell& cell);
     void look(Cell cell);
@@ -106,7 +108,7 @@ private:
     const QuadratureOptions& options_;
     std::vector<Cell> cells_;  ///< A heap, the largest error first.
     double area_ = 0, error_ = 0;
-    std::uint64_t evaluations_ = 0, looked_ = 0, unsampled_ = 0;
+    std::uint64_t evaluations_ = 0, looked_ = 0, reserved_ = 0;
 };
 
 template <std::size_t n, std::size_t degree, class F>
@@ -181,6 +183,7 @@ void Cubature::evaluate(Cell& cell) {
         cell.range = integrand_.range(cell.triangle, structure.occluders, of_closed_forms);
         cell.visible.error = (1 - from_likelier_end) * (cell.range->high - cell.range->low);
         if (all <= worth_sampling * area_) sample_undecided(cell, structure);
+        if (cell.range) cell.reserved = may_be_sampled(structure) ? 17 : 1;
         cell.occluders = std::move(structure.occluders);
         return;
     }
@@ -218,10 +221,15 @@ void Cubature::evaluate(Cell& cell) {
     cell.occluders = std::move(structure.occluders);
 }
 
-/// Where the budget does not suffice to know the structure: as well as samples tell. Near an occluder whole shadows may
-/// stand between the points: as long as a line is left there to cut along, nothing more is said than the range.
+/// Near an occluder whole shadows may stand between the points: as long as a line is left there to cut along, nothing
+/// more is said than the range.
+bool Cubature::may_be_sampled(const Structure& structure) {
+    return !structure.event->linear || std::isfinite(structure.change);
+}
+
+/// Where the budget does not suffice to know the structure: as well as samples tell.
 void Cubature::sample_undecided(Cell& cell, const Structure& structure) {
-    if (structure.event->linear && !std::isfinite(structure.change)) return;
+    if (!may_be_sampled(structure)) return;
     const auto value_at = [&](const Point2D& point) { return integrand_.exact(point, structure); };
     const Integral visible = sample<4, 2>(cell.triangle, value_at).visible.integral;
     const double missed =
@@ -246,14 +254,13 @@ void Cubature::look(Cell cell) {
     if (area(cell.triangle) == 0) return;
     evaluate(cell);
     error_ += cell.visible.error;
-    unsampled_ += cell.range.has_value();
+    reserved_ += cell.reserved;
     cells_.push_back(std::move(cell));
     std::push_heap(cells_.begin(), cells_.end(), smaller);
 }
 
 bool Cubature::is_done() const {
-    const std::uint64_t reserved = 16 * unsampled_;
-    return cells_.empty() || error_ <= options_.tolerance || evaluations_ + reserved >= options_.max_evaluations ||
+    return cells_.empty() || error_ <= options_.tolerance || evaluations_ + reserved_ >= options_.max_evaluations ||
            looked_ >= options_.max_evaluations;
 }
 
@@ -266,7 +273,7 @@ QuadratureResult Cubature::run(const std::vector<Triangle2D>& triangles,
         const Cell cell = std::move(cells_.back());
         cells_.pop_back();
         error_ -= cell.visible.error;
-        unsampled_ -= cell.range.has_value();
+        reserved_ -= cell.reserved;
         for (const Triangle2D& part : cut(cell.triangle, cell.event)) look({part, cell.occluders});
     }
     QuadratureResult result;
