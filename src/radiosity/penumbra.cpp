@@ -6,6 +6,9 @@
 namespace cob::radiosity {
 namespace {
 
+/// From that many times the light's height, rounding would move the hull's sides near the receiver.
+constexpr double most_magnified = 0x1p20;
+
 /// Andrew's monotone chain.
 Polygon2D hull_of(Polygon2D points) {
     std::sort(points.begin(), points.end(),
@@ -30,7 +33,7 @@ std::optional<Polygon2D> penumbra(const Corners3D& light, const Corners3D& occlu
     for (const Vector3<double>& from : light)
         for (const Vector3<double>& p : occluder) {
             const double f = from.z / (from.z - p.z);
-            if (!(p.z < from.z) || !std::isfinite(f)) return std::nullopt;
+            if (!(p.z < from.z) || !(f > 0 && f < most_magnified)) return std::nullopt;
             shadows.push_back({from.x + f * (p.x - from.x), from.y + f * (p.y - from.y)});
         }
     return hull_of(std::move(shadows));
@@ -92,8 +95,8 @@ double PossibleShadows::hidden_at_most(const Triangle2D& t, const std::vector<co
     std::vector<Polygon2D> dark;
     double dark_area = 0;
     for (const CornerLoop* occluder : occluders) {
-        const std::optional<Polygon2D>& penumbra = penumbrae_[occluder->number];
-        dark.push_back(penumbra ? common_part(t, *penumbra) : left_around(t));
+        const std::optional<Polygon2D>& shadow = penumbrae_[occluder->number];
+        dark.push_back(shadow ? common_part(t, *shadow) : left_around(t));
         dark_area += area(dark.back());
         if (dark_area >= area(t)) return HUGE_VAL;  // closed forms would cost more than they tell
     }

@@ -20,7 +20,7 @@ Polygon2D common_part(const Triangle2D& triangle, const Polygon2D& convex);
 
 /// The penumbra of a convex occluder on the plane h = 0: the hull of the shadows that its corners cast from the light's
 /// corners. From outside all of the light is seen past it. Nothing where it has no end, for the occluder reaches as
-/// high as the light.
+/// high as the light, or so nearly as high that binary64 cannot tell where it ends.
 std::optional<Polygon2D> penumbra(const Corners3D& light, const Corners3D& occluder);
 
 /// Between two integrals of the form factor.

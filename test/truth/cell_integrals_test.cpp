@@ -32,6 +32,10 @@ protected:
         }
         return result;
     }
+    Vector3<double> point_of(const Corners3D& triangle) {
+        const double f = number(), g = number();
+        return (1 - f) * triangle[0] + f * ((1 - g) * triangle[1] + g * triangle[2]);
+    }
     Triangle2D cell_around() {
         const double size = std::ldexp(1, -static_cast<int>(random_() % 5)), s = 0.3 + 0.2 * number() - size / 2,
                      t = 0.3 + 0.2 * number() - size / 2;
@@ -108,7 +112,7 @@ TEST_F(LowOccluders, WhatIsSeenIsInTheRange) {
 
 // From outside the penumbra no segment to the light meets the occluder.
 TEST_F(LowOccluders, PenumbraeHoldAllShadows) {
-    int outside = 0;
+    int small = 0;
     for (int k = 0; k < 2000; ++k) {
         const auto point = [&](double low, double high) {
             return Vector3<double>{number(), number(), low + (high - low) * number()};
@@ -117,20 +121,40 @@ TEST_F(LowOccluders, PenumbraeHoldAllShadows) {
             occluder{point(0, 0.5), point(0, 0.5), point(0, 0.5)};
         const auto shadow = penumbra(light, occluder);
         ASSERT_TRUE(shadow);
-        const auto mixed = [&](const Corners3D& t) {
-            const double f = number(), g = number();
-            return (1 - f) * t[0] + f * ((1 - g) * t[1] + g * t[2]);
-        };
         // A shadow of a point of one, cast from a point of the other, lies inside.
-        const Vector3<double> from = mixed(light), p = mixed(occluder);
+        const Vector3<double> from = point_of(light), p = point_of(occluder);
         const Vector3<double> x = from + from.z / (from.z - p.z) * (p - from);
         for (std::size_t i = 0; i < shadow->size(); ++i)
             EXPECT_GE(turn({(*shadow)[i], (*shadow)[(i + 1) % shadow->size()], Point2D{x.x, x.y}}), -1e-12) << k;
-        outside += area(*shadow) < 1;
+        small += area(*shadow) < 1;
     }
-    EXPECT_GT(outside, 100);
+    EXPECT_GT(small, 100);
     EXPECT_FALSE(penumbra({{0, 0, 1}, {1, 0, 1}, {0, 1, 0.5}}, {{0, 0, 0.2}, {1, 0, 0.5}, {0, 1, 0.2}}));
     EXPECT_FALSE(penumbra({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, {{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0.2}})) << "both at 0";
+}
+
+// The same where an occluder's corners come as near to the light's plane as rounding leaves them: the hull reaches far
+// away and must be right here, or there is none.
+TEST_F(LowOccluders, PenumbraeUnderALightNearlyTouchedHoldAllShadows) {
+    int held = 0, without = 0;
+    for (int k = 0; k < 100000; ++k) {
+        const double high = 1 - std::ldexp(1, -(k % 54));
+        const auto point = [&](double z) { return Vector3<double>{number(), number(), z}; };
+        const Corners3D light{point(1), point(1), point(1)},
+            occluder{point(high), point(k % 2 ? high : 0.5 * number()), point(0.5 * number())};
+        const auto shadow = penumbra(light, occluder);
+        without += !shadow;
+        if (!shadow) continue;
+        const Vector3<double> from = point_of(light), p = point_of(occluder);
+        const Vector3<double> x = from + 1 / (1 - p.z) * (p - from);
+        if (!(std::hypot(x.x, x.y) < 4)) continue;
+        const double e = 1e-3;
+        const Triangle2D around{Point2D{x.x - e, x.y - e}, {x.x + e, x.y - e}, {x.x, x.y + e}};
+        EXPECT_GT(area(common_part(around, *shadow)), 0) << k;
+        ++held;
+    }
+    EXPECT_GT(held, 10000);
+    EXPECT_GT(without, 10000);
 }
 
 // The parts of a triangle in and beside a convex polygon are all of it.
