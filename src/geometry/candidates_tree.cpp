@@ -147,7 +147,7 @@ private:
             bounds[static_cast<std::size_t>(id)] = bounds_of(scene_, scene_.loop(id));
         }
         if (ids.empty()) return;
-        polygons_ = Tree{TreeTraits(&bounds)};  // which are needed only while it is built
+        polygons_ = Tree{TreeTraits(&bounds)};  // needs the bounds only while it is built
         polygons_.insert(ids.data(), ids.data() + ids.size());
         polygons_.build();
     }

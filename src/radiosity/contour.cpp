@@ -70,9 +70,8 @@ Integral side_pair(const Vector& p, const Vector& u, const Vector& q, const Vect
     }
     std::sort(cuts.begin(), cuts.end());
     Integral sum;
-    for (std::size_t k = 1; k < cuts.size(); ++k) {
+    for (std::size_t k = 1; k < cuts.size(); ++k)
         sum += adaptive(f, cuts[k - 1], cuts[k], may_be_off / std::abs(along), 48);
-    }
     return {along * sum.value, std::abs(along) * (sum.error + 1e-15)};
 }
 
@@ -82,10 +81,9 @@ Integral flux_of_side(const Corners& a, const Vector& p, const Vector& q, double
     const double scale = unit * unit / (2 * boost::math::constants::pi<double>());
     const double share = may_be_off / scale / static_cast<double>(a.size());
     Integral sum;
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t i = 0; i < a.size(); ++i)
         sum += side_pair(1 / unit * a[i], 1 / unit * (a[(i + 1) % a.size()] - a[i]), 1 / unit * p, 1 / unit * (q - p),
                          share);
-    }
     return {scale * sum.value, scale * sum.error};
 }
 
@@ -151,11 +149,8 @@ Integral mutual_flux(const Corners& a, const Corners& b, double may_be_off) {
     }
     const double unit = distance > 0 ? distance : ball_a.radius + ball_b.radius;
     Integral sum;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-        const Integral part =
-            flux_of_side(a, b[j], b[(j + 1) % b.size()], unit, may_be_off / static_cast<double>(b.size()));
-        sum += part;
-    }
+    for (std::size_t j = 0; j < b.size(); ++j)
+        sum += flux_of_side(a, b[j], b[(j + 1) % b.size()], unit, may_be_off / static_cast<double>(b.size()));
     return {std::max(0.0, sum.value), sum.error};
 }
 

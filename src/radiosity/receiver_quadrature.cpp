@@ -73,7 +73,7 @@ private:
     struct Part {
         Integral integral;
         double least = 0, most = 0;
-        double missed = 0;  ///< In peaks between the points.
+        double missed = 0;  ///< At most, of peaks between the points.
         double error() const { return integral.error + missed; }
         /// What a lower rule's difference says may be less. A share of its error stays: two rules may agree by chance.
         Part better_than(const Part& lower) const {
@@ -95,6 +95,16 @@ private:
     double misfit(const Structure& structure, Cell& cell);
     template <class F>
     void add_missed_peaks(const Triangle2D& cell, const SplitContour& split, const F& value_at, Parts& parts);
+    /// What the sides add that are not integrated in closed form, or what is hidden but for these: what is known
+    /// better.
+    struct Sampled {
+        Part part;
+        bool of_hidden = false;
+    };
+    Sampled sample_others(const Triangle2D& triangle, const SplitContour& split, double misfit, double goal);
+    /// The cell's share where its structure is certain, and where it is not. The goal: an error that will do.
+    void integrate(Cell& cell, const Structure& structure, double goal);
+    void bound(Cell& cell, const Structure& structure, double goal);
     void evaluate(Cell& cell);
     static bool may_be_sampled(const Structure& structure);
     void sample_undecided(Cell& cell, const Structure& structure);
@@ -176,49 +186,60 @@ void Cubature::add_missed_peaks(const Triangle2D& cell, const SplitContour& spli
 
 void Cubature::evaluate(Cell& cell) {
     Structure structure = integrand_.structure(cell.triangle, cell.occluders);
-    const double all = area(cell.triangle), share = options_.tolerance * all / area_ / 4;
-    const double of_closed_forms = share * closed_form_share;
-    if (structure.event) {
-        cell.event = structure.event;
-        cell.range = integrand_.range(cell.triangle, structure.occluders, of_closed_forms);
-        cell.visible.error = (1 - from_likelier_end) * (cell.range->high - cell.range->low);
-        if (all <= worth_sampling * area_) sample_undecided(cell, structure);
-        if (cell.range) cell.reserved = may_be_sampled(structure) ? 17 : 1;
-        cell.occluders = std::move(structure.occluders);
-        return;
-    }
-    const double misfit = this->misfit(structure, cell);
+    const double goal = options_.tolerance * area(cell.triangle) / area_ / 4;
+    if (structure.event)
+        bound(cell, structure, goal);
+    else
+        integrate(cell, structure, goal);
+    cell.occluders = std::move(structure.occluders);
+}
+
+void Cubature::bound(Cell& cell, const Structure& structure, double goal) {
+    cell.event = structure.event;
+    cell.range = integrand_.range(cell.triangle, structure.occluders, goal * closed_form_share);
+    cell.visible.error = (1 - from_likelier_end) * (cell.range->high - cell.range->low);
+    if (area(cell.triangle) <= worth_sampling * area_) sample_undecided(cell, structure);
+    if (cell.range) cell.reserved = may_be_sampled(structure) ? 17 : 1;
+}
+
+void Cubature::integrate(Cell& cell, const Structure& structure, double goal) {
+    const double misfit = this->misfit(structure, cell), of_closed_forms = goal * closed_form_share;
     const SplitContour split =
         split_off_nearby_sides(structure.contour, cell.triangle, integrand_.corner, of_closed_forms);
+    const Sampled sampled = sample_others(cell.triangle, split, misfit, goal);
+    cell.visible = split.over_occluder_sides;
+    if (sampled.of_hidden) {
+        cell.visible += integrand_.unobstructed(cell.triangle, of_closed_forms);
+        cell.visible -= sampled.part.integral;
+    } else {
+        cell.visible += sampled.part.integral;
+        cell.visible += split.over_light_sides;
+    }
+    cell.visible.error += sampled.part.missed;
+    if (cell.visible.error > misfit) cell.event.reset();
+    cell.visible.error += misfit;
+}
+
+Cubature::Sampled Cubature::sample_others(const Triangle2D& triangle, const SplitContour& split, double misfit,
+                                          double goal) {
     const auto value_at = [&](const Point2D& point) {
         PointValue value = integrand_.by_contour(point, split.others);
         if (!split.light_sides.arcs.empty())
             value.unobstructed -= integrand_.by_contour(point, split.light_sides).visible;
         return value;
     };
-    Parts parts = sample<4, 2>(cell.triangle, value_at);
-    if (!split.hidden_is_smooth) add_missed_peaks(cell.triangle, split, value_at, parts);
+    Parts parts = sample<4, 2>(triangle, value_at);
+    if (!split.hidden_is_smooth) add_missed_peaks(triangle, split, value_at, parts);
     // Beside a side that both polygons share only the hidden part is smooth.
-    const auto take_visible = [&] {
-        return split.rough.empty() || (!split.hidden_is_smooth && parts.visible.error() <= parts.hidden.error());
+    const auto of_hidden = [&] {
+        return !split.rough.empty() && (split.hidden_is_smooth || !(parts.visible.error() <= parts.hidden.error()));
     };
-    const auto taken = [&] { return take_visible() ? parts.visible : parts.hidden; };
-    // Of one structure, it is smooth: higher rules pay.
-    const auto falls_short = [&] { return misfit + taken().missed <= share && taken().error() > share; };
-    if (falls_short()) parts = sample<6, 4>(cell.triangle, value_at).better_than(parts);
-    if (falls_short()) parts = sample<9, 7>(cell.triangle, value_at).better_than(parts);
-    cell.visible = split.over_occluder_sides;
-    if (take_visible()) {
-        cell.visible += parts.visible.integral;
-        cell.visible += split.over_light_sides;
-    } else {
-        cell.visible += integrand_.unobstructed(cell.triangle, of_closed_forms);
-        cell.visible -= parts.hidden.integral;
-    }
-    cell.visible.error += taken().missed;
-    if (cell.visible.error > misfit) cell.event.reset();
-    cell.visible.error += misfit;
-    cell.occluders = std::move(structure.occluders);
+    const auto taken = [&] { return of_hidden() ? parts.hidden : parts.visible; };
+    // Of one structure, it is smooth: higher rules pay, unless what they do not lessen is too much by itself.
+    const auto falls_short = [&] { return misfit + taken().missed <= goal && taken().error() > goal; };
+    if (falls_short()) parts = sample<6, 4>(triangle, value_at).better_than(parts);
+    if (falls_short()) parts = sample<9, 7>(triangle, value_at).better_than(parts);
+    return {taken(), of_hidden()};
 }
 
 /// Near an occluder whole shadows may stand between the points: as long as a line is left there to cut along, nothing
