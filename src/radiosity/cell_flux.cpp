@@ -49,6 +49,16 @@ T number(const Interval& value) {
         return T(value);
 }
 
+/// By a power of two near 1 in size where products of several would underflow.
+template <class T>
+Vector3<T> without_underflow(const Vector3<T>& v) {
+    if constexpr (std::is_floating_point_v<T>) {
+        const T size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        if (size > 0 && size < T(0x1p-100)) return std::ldexp(T(1), -std::max(std::ilogb(size), -1000)) * v;
+    }
+    return v;
+}
+
 /// Lambert's sum (lambert.hpp) over the contour; arcs are angles with a sign, so that they may shrink to nothing.
 template <class T>
 T form_factor_of(const PairShapes& shapes, const Contour& contour, const Place<T>& place) {
@@ -59,7 +69,7 @@ T form_factor_of(const PairShapes& shapes, const Contour& contour, const Place<T
         return Vector{number<T>(corner.x) - place.s, number<T>(corner.y) - place.t, number<T>(corner.z)};
     };
     boost::container::small_vector<Vector, std::is_floating_point_v<T> ? 24 : 1> normals;
-    for (const auto& [a, b] : contour.sides) normals.push_back(cross(towards(a), towards(b)));
+    for (const auto& [a, b] : contour.sides) normals.push_back(without_underflow(cross(towards(a), towards(b))));
     const auto normal = [&](std::int32_t side) -> const Vector& { return normals[static_cast<std::size_t>(side)]; };
     const auto direction = [&](const ContourRay& ray) {
         if (ray.vertex >= 0) return towards(ray.vertex);

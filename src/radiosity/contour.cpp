@@ -93,12 +93,13 @@ double by_kernel(const Corners& a, const Corners& b) {
         Vector position;
         double weight;
     };
-    const auto nodes = [](const Corners& corners) {
+    const auto length_of = [](const Vector& v) { return std::hypot(v.x, v.y, v.z); };  // of areas: squares underflow
+    const auto nodes = [&](const Corners& corners) {
         const auto& rule = gauss_rule<8>();
         std::vector<Node> result;
         for (std::size_t k = 2; k < corners.size(); ++k) {
             const Vector u = corners[k - 1] - corners[0], v = corners[k] - corners[k - 1];
-            const double doubled = length(cross(u, v));
+            const double doubled = length_of(cross(u, v));
             for (std::size_t i = 0; i < 8; ++i)
                 for (std::size_t j = 0; j < 8; ++j) {
                     const double s = rule.node[i], t = rule.node[j];
@@ -107,11 +108,11 @@ double by_kernel(const Corners& a, const Corners& b) {
         }
         return result;
     };
-    const auto normal = [](const Corners& corners) {
+    const auto normal = [&](const Corners& corners) {
         Vector sum;
         for (std::size_t k = 2; k < corners.size(); ++k)
             sum = sum + cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
-        return (1 / length(sum)) * sum;
+        return (1 / length_of(sum)) * sum;
     };
     const Vector na = normal(a), nb = normal(b);
     double sum = 0;

@@ -113,7 +113,7 @@ FluxRange PossibleShadows::range(const Triangle2D& t, const std::vector<const Co
                                  double may_be_off) const {
     const Integral all = unobstructed(left_around(t), may_be_off);
     const double hidden = std::min(all.value, hidden_at_most(t, occluders, may_be_off));
-    return {all.value - hidden - all.error, all.value + all.error};
+    return {std::max(0.0, all.value - hidden - all.error), std::min(area(t), all.value + all.error)};
 }
 
 }  // namespace cob::radiosity

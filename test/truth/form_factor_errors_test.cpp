@@ -88,6 +88,35 @@ TEST_F(SmallOccluders, UnderLargeLights) {
     }
 }
 
+// A tiny receiver and what stands before it, under a large light: the same at any size within the error, also where
+// products of lengths leave binary64.
+TEST(FormFactors, OfTinyReceiversBehindTinyOccluders) {
+    const auto value_at = [](int exponent) {
+        const auto at = [&](double x, double y, double z) {
+            return Point{std::ldexp(x, exponent), std::ldexp(y, exponent), std::ldexp(z, exponent)};
+        };
+        const Scene scene = RoomBuilder()
+                                .polygon({at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)})
+                                .polygon({{0, 0, 1}, {0, 1, 1}, {1, 0, 1}})
+                                .polygon({at(0.2, 0.2, 0.1), at(0.4, 0.3, 0.2), at(0.3, 0.5, 0.3)})
+                                .build();
+        FormFactorOptions options;
+        options.tolerance = 1e-3;
+        options.max_evaluations = 5000;
+        const std::vector<PolygonFormFactor> values = form_factors(scene, options);
+        EXPECT_EQ(values.size(), 2u) << exponent;
+        return values.empty() ? PolygonFormFactor{} : values.front();
+    };
+    const PolygonFormFactor large = value_at(-30);
+    EXPECT_LE(large.error, 1e-3);
+    for (const int exponent : {-60, -180, -300, -400}) {
+        const PolygonFormFactor tiny = value_at(exponent);
+        EXPECT_EQ(tiny.from, 0) << exponent;
+        EXPECT_LT(tiny.error, 0.1) << exponent;
+        EXPECT_NEAR(tiny.value, large.value, tiny.error + large.error) << exponent;
+    }
+}
+
 // A speck of 0.02 over the floor by 0.001, under a light of 100 x 100: its peak is not missed between the points. The
 // truth is that of two programs apart from this one: what is hidden, integrated over the speck; the light, clipped.
 TEST(FormFactors, PeaksOfSpecksAreNotMissed) {
