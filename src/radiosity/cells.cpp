@@ -114,6 +114,25 @@ double reach(const Triangle2D& t) {
     return result * (1 + 1e-9);
 }
 
+double distance(const Point2D& a, const Point2D& b) {
+    return std::hypot(a.s - b.s, a.t - b.t);
+}
+
+Point2D nearest_in(const Triangle2D& t, const Point2D& p) {
+    Point2D best = t[0];
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Point2D &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
+        const auto side = [&](const Point2D& q) { return (b.s - a.s) * (q.t - a.t) - (b.t - a.t) * (q.s - a.s); };
+        inside = inside && side(p) * side(c) >= 0;
+        const double length = (b.s - a.s) * (b.s - a.s) + (b.t - a.t) * (b.t - a.t);
+        const double along = (b.s - a.s) * (p.s - a.s) + (b.t - a.t) * (p.t - a.t);
+        const Point2D on = mix(a, b, length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0);
+        if (distance(on, p) < distance(best, p)) best = on;
+    }
+    return inside ? p : best;
+}
+
 Vector3<double> nearest_on_side(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& p) {
     const Vector3<double> d = b - a;
     const double squared = dot(d, d);

@@ -21,6 +21,9 @@ Point2D mix(const Point2D& a, const Point2D& b, double f);
 Point2D centroid(const Triangle2D& t);
 /// The largest distance of a corner from the centroid, rounded up.
 double reach(const Triangle2D& t);
+double distance(const Point2D& a, const Point2D& b);
+/// The point of a triangle that is nearest to another.
+Point2D nearest_in(const Triangle2D& t, const Point2D& p);
 /// The point of the side from a to b that is nearest to p, in space.
 Vector3<double> nearest_on_side(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& p);
 

@@ -64,11 +64,10 @@ void CertifiedCubature::evaluate(Cell& cell) const {
     }
     const double share = options_.width * all / area_ / 2;
     if (cell.occluders.empty() && !(cell.width() <= share)) {
-        const auto at = [&](std::size_t k) {
-            return IntervalPoint{Interval(cell.triangle[k].s), Interval(cell.triangle[k].t), Interval(0)};
-        };
-        const bool left = turn(cell.triangle) > 0;
-        const Interval closed = mutual_flux({at(0), at(left ? 1 : 2), at(left ? 2 : 1)}, share / 2);
+        std::vector<IntervalPoint> corners;
+        for (const Point2D& p : left_around(cell.triangle))
+            corners.push_back({Interval(p.s), Interval(p.t), Interval(0)});
+        const Interval closed = mutual_flux(corners, share / 2);
         cell.flux = {std::max(cell.flux.low(), closed.low()), std::min(cell.flux.high(), closed.high())};
     }
     const Interval paid = cell.flux + Interval(-1, 1) * Interval(sliver * all);

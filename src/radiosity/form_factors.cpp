@@ -210,9 +210,10 @@ FormFactorResult FormFactorMatrix::compute(const Progress& progress) const {
     FormFactorResult result;
     const auto add = [&](PolygonId from, PolygonId to, const Integral& flux) {
         const double value = flux.value / self.polygons[from].area;
-        const double error = flux.error / self.polygons[from].area + rounding;
-        if (!(value > 0)) return;
-        result.values.push_back({from, to, std::min(value, 1.0), error});
+        // It is from 0 to 1, whatever was lost to rounding.
+        const double error = std::isfinite(value) ? std::min(1.0, flux.error / self.polygons[from].area + rounding) : 1;
+        if (!(value > 0) && error <= self.options.tolerance) return;
+        result.values.push_back({from, to, value > 0 ? std::min(value, 1.0) : 0, error});
         if (error > self.options.tolerance) ++result.above_goal;
     };
     for (std::size_t k = 0; k < fluxes.size(); ++k) {

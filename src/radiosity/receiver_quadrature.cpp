@@ -31,26 +31,6 @@ constexpr double worth_sampling = 1e-3;
 /// likelier one, in widths of the range.
 constexpr double from_likelier_end = 0.25;
 
-double distance(const Point2D& a, const Point2D& b) {
-    return std::hypot(a.s - b.s, a.t - b.t);
-}
-
-/// The point of a triangle that is nearest to another.
-Point2D nearest_in(const Triangle2D& t, const Point2D& p) {
-    Point2D best = t[0];
-    bool inside = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Point2D &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
-        const auto side = [&](const Point2D& q) { return (b.s - a.s) * (q.t - a.t) - (b.t - a.t) * (q.s - a.s); };
-        inside = inside && side(p) * side(c) >= 0;
-        const double length = (b.s - a.s) * (b.s - a.s) + (b.t - a.t) * (b.t - a.t);
-        const double along = (b.s - a.s) * (p.s - a.s) + (b.t - a.t) * (p.t - a.t);
-        const Point2D on = mix(a, b, length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0);
-        if (distance(on, p) < distance(best, p)) best = on;
-    }
-    return inside ? p : best;
-}
-
 /// A triangle and its share of the integral.
 struct Cell {
     Triangle2D triangle;

@@ -31,19 +31,24 @@ FormFactorOptions both_sides(double tolerance) {
     return options;
 }
 
-/// What coarse runs say from both sides, each on its own, holds against a fine one from the smaller side.
-void expect_errors_to_hold(const Scene& scene, int number) {
+/// What coarse runs say from both sides, each on its own, holds against a fine one from the smaller side. Returns how
+/// many of the eight errors are within the tolerance.
+int expect_errors_to_hold(const Scene& scene, int number) {
     FormFactorOptions fine;
     fine.tolerance = 1e-8;
     const std::vector<PolygonFormFactor> truth = form_factors(scene, fine);
-    ASSERT_EQ(truth.size(), 2u) << number;
+    EXPECT_EQ(truth.size(), 2u) << number;
+    int reached = 0;
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
         const std::vector<PolygonFormFactor> values = form_factors(scene, both_sides(tolerance));
-        ASSERT_EQ(values.size(), 2u) << number;
-        for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_EQ(values.size(), 2u) << number;
+        for (std::size_t k = 0; k < std::min(values.size(), truth.size()); ++k) {
+            reached += values[k].error <= tolerance;
             EXPECT_LE(std::abs(values[k].value - truth[k].value), values[k].error + truth[k].error)
                 << number << " from " << values[k].from << " at " << tolerance;
+        }
     }
+    return reached;
 }
 
 class SmallOccluders : public ::testing::Test {
@@ -66,6 +71,7 @@ protected:
 };
 
 TEST_F(SmallOccluders, CloseToReceiverOrLight) {
+    int reached = 0;
     for (int k = 0; k < 60; ++k) {
         RoomBuilder room = RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(0, 0, 1, 1, 1, false);
         for (int count = 0; count <= k % 2; ++count) {
@@ -74,18 +80,21 @@ TEST_F(SmallOccluders, CloseToReceiverOrLight) {
                 for (Point& corner : corners) corner.z = 1 - corner.z;
             room.polygon(corners);
         }
-        expect_errors_to_hold(room.build(), k);
+        reached += expect_errors_to_hold(room.build(), k);
     }
+    EXPECT_GT(reached, 240);
 }
 
 TEST_F(SmallOccluders, UnderLargeLights) {
+    int reached = 0;
     for (int k = 0; k < 40; ++k) {
         const double height = magnitude(-1, 0.5), low = height * magnitude(-2.7, -0.3),
                      half = std::clamp(height / low * magnitude(-1, 1), 0.6, 100.0);
         RoomBuilder room = RoomBuilder().sheet(0, 0, 1, 1, 0, true).sheet(-half, -half, half, half, height, false);
         room.polygon(triangle(magnitude(-3.3, -1.5), low, k % 2 == 0));
-        expect_errors_to_hold(room.build(), k);
+        reached += expect_errors_to_hold(room.build(), k);
     }
+    EXPECT_GT(reached, 240);
 }
 
 // A tiny receiver and what stands before it, under a large light: the same at any size within the error, also where
