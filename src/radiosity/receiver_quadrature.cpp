@@ -21,8 +21,9 @@ constexpr double closed_form_share = 0x1p-12;
 
 /// What the samples of a cell of unknown structure may have missed, as shares of what one side's motion over the cell
 /// may change, and at most of what would be seen of the whole light. Cells are cut before this matters wherever cutting
-/// tells their structure; smaller shares were found to be too small behind thin shadows of far lights.
-constexpr double missed_by_motion = 0.002, missed_most = 0.02;
+/// tells their structure; smaller shares were found to be too small behind thin shadows of far lights, and of the whole
+/// light for cells that are still large when the budget ends.
+constexpr double missed_by_motion = 0.002, missed_most = 0.02, missed_most_if_large = 0.25;
 
 /// Larger cells of unknown structure, by their share of the receiver's area, are cut without a look.
 constexpr double worth_sampling = 1e-3;
@@ -138,7 +139,8 @@ double Cubature::misfit(const Structure& structure, Cell& cell) {
 }
 
 /// Near a side what is seen varies on the scale of its distance, and a peak may stand between the points of a larger
-/// cell. So the places of the cell next to the ends of the sides and in between are looked at: where a value is beyond
+/// cell. So the places of the cell next to the ends of the sides and in between are looked at, and places from there
+/// towards the middle, for sides that touch the cell have no distance: where a value is beyond
 /// those at the points, by more than they vary, as much may be missed around, twice as far as it is away.
 template <class F>
 void Cubature::add_missed_peaks(const Triangle2D& cell, const SplitContour& split, const F& value_at, Parts& parts) {
@@ -147,20 +149,22 @@ void Cubature::add_missed_peaks(const Triangle2D& cell, const SplitContour& spli
     for (const auto& [from, to] : split.rough) {
         const Vector3<double> a = integrand_.corner(from), b = integrand_.corner(to);
         double missed_visible = 0, missed_hidden = 0;
-        for (const Vector3<double>& p : {a, b, nearest_on_side(a, b, {centre.s, centre.t, 0})}) {
-            const Point2D place = nearest_in(cell, {p.x, p.y});
-            const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
-            if (!(away < radius)) continue;
-            const PointValue value = value_at(place);
-            ++evaluations_;
-            const double around = std::min(all, 2 * away * (3 * away + std::min(2 * radius, length(b - a))));
-            const auto missed = [&](double found, const Part& part) {
-                return around * (std::max(found - part.most, part.least - found) - (part.most - part.least));
-            };
-            missed_visible = std::max(missed_visible, missed(value.visible, parts.visible));
-            missed_hidden = std::max(missed_hidden, missed(value.unobstructed - value.visible, parts.hidden));
-        }
-        parts.visible.missed += missed_visible, parts.hidden.missed += missed_hidden;
+        for (const Vector3<double>& p : {a, b, nearest_on_side(a, b, {centre.s, centre.t, 0})})
+            for (const double f : {0.0, 0x1p-8, 0x1p-6, 0x1p-4, 0x1p-2}) {
+                const Point2D place = mix(nearest_in(cell, {p.x, p.y}), centre, f);
+                const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
+                if (!(away < radius)) break;
+                const PointValue value = value_at(place);
+                ++evaluations_;
+                const double around = std::min(all, 2 * away * (3 * away + std::min(2 * radius, length(b - a))));
+                const auto missed = [&](double found, const Part& part) {
+                    return around * (std::max(found - part.most, part.least - found) - (part.most - part.least));
+                };
+                missed_visible = std::max(missed_visible, missed(value.visible, parts.visible));
+                missed_hidden = std::max(missed_hidden, missed(value.unobstructed - value.visible, parts.hidden));
+            }
+        // What is hidden unnoticed is seen too little of.
+        parts.visible.missed += std::max(missed_visible, missed_hidden), parts.hidden.missed += missed_hidden;
     }
 }
 
@@ -209,7 +213,7 @@ Cubature::Sampled Cubature::sample_others(const Triangle2D& triangle, const Spli
         return value;
     };
     Parts parts = sample<4, 2>(triangle, value_at);
-    if (!split.hidden_is_smooth) add_missed_peaks(triangle, split, value_at, parts);
+    add_missed_peaks(triangle, split, value_at, parts);
     // Beside a side that both polygons share only the hidden part is smooth.
     const auto of_hidden = [&] {
         return !split.rough.empty() && (split.hidden_is_smooth || !(parts.visible.error() <= parts.hidden.error()));
@@ -233,8 +237,9 @@ void Cubature::sample_undecided(Cell& cell, const Structure& structure) {
     if (!may_be_sampled(structure)) return;
     const auto value_at = [&](const Point2D& point) { return integrand_.exact(point, structure); };
     const Integral visible = sample<4, 2>(cell.triangle, value_at).visible.integral;
-    const double missed =
-        std::min(missed_most * cell.range->high, missed_by_motion * structure.change * area(cell.triangle));
+    const bool is_large = area(cell.triangle) > worth_sampling * area_;
+    const double most = (is_large ? missed_most_if_large : missed_most) * cell.range->high;
+    const double missed = std::min(most, missed_by_motion * structure.change * area(cell.triangle));
     if (!(visible.error + missed < cell.visible.error)) return;
     cell.visible = {visible.value, visible.error + missed};
     cell.range.reset();

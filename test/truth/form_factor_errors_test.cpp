@@ -141,5 +141,18 @@ TEST(FormFactors, PeaksOfSpecksAreNotMissed) {
     }
 }
 
+// A low flap on the edge that floor and wall share, reaching beyond the wall's end: its shadow is as narrow as it is
+// high. The truth is that of two programs apart from this one, as above.
+TEST(FormFactors, LowFlapsOnASharedEdgeAreNotMissed) {
+    const Scene scene = RoomBuilder()
+                            .sheet(0, 0, 1, 1, 0, true)
+                            .polygon({{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}})
+                            .polygon({{0, 0.7, 0}, {0, 1.1, 0}, {0.02, 1.1, 0.003}})
+                            .build();
+    for (const double tolerance : {1e-3, 1e-4, 1e-6})
+        for (const PolygonFormFactor& value : form_factors(scene, both_sides(tolerance)))
+            EXPECT_LE(std::abs(value.value - 0.1988180607), value.error + 1e-8) << value.from << " at " << tolerance;
+}
+
 }  // namespace
 }  // namespace cob
