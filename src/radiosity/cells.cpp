@@ -91,6 +91,12 @@ Polygon2D left_around(const Triangle2D& t) {
     return turn(t) < 0 ? Polygon2D{t[0], t[2], t[1]} : Polygon2D{t[0], t[1], t[2]};
 }
 
+std::vector<Vector3<double>> in_space(const Polygon2D& polygon) {
+    std::vector<Vector3<double>> corners;
+    for (const Point2D& p : polygon) corners.push_back({p.s, p.t, 0});
+    return corners;
+}
+
 double turn(const Triangle2D& t) {
     return (t[1].s - t[0].s) * (t[2].t - t[0].t) - (t[2].s - t[0].s) * (t[1].t - t[0].t);
 }
@@ -123,11 +129,10 @@ Point2D nearest_in(const Triangle2D& t, const Point2D& p) {
     bool inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
         const Point2D &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
-        const auto side = [&](const Point2D& q) { return (b.s - a.s) * (q.t - a.t) - (b.t - a.t) * (q.s - a.s); };
-        inside = inside && side(p) * side(c) >= 0;
-        const double length = (b.s - a.s) * (b.s - a.s) + (b.t - a.t) * (b.t - a.t);
+        inside = inside && turn({a, b, p}) * turn({a, b, c}) >= 0;
+        const double squared = (b.s - a.s) * (b.s - a.s) + (b.t - a.t) * (b.t - a.t);
         const double along = (b.s - a.s) * (p.s - a.s) + (b.t - a.t) * (p.t - a.t);
-        const Point2D on = mix(a, b, length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0);
+        const Point2D on = mix(a, b, squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0);
         if (distance(on, p) < distance(best, p)) best = on;
     }
     return inside ? p : best;

@@ -13,6 +13,8 @@ using Polygon2D = std::vector<Point2D>;
 
 /// The triangle, its corners counter-clockwise.
 Polygon2D left_around(const Triangle2D& t);
+/// Its corners in space, as (s, t, h).
+std::vector<Vector3<double>> in_space(const Polygon2D& polygon);
 /// Twice the signed area.
 double turn(const Triangle2D& t);
 /// Not below the true area, unless that is lost in the corners' rounding.

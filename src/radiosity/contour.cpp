@@ -48,9 +48,9 @@ Integral adaptive(const F& f, double begin, double end, double may_be_off, int d
     const bool agree = !(difference > std::max({2e-16, 2e-15 * size, may_be_off}));  // also with NaN
     if (agree || depth == 0) return {a, difference + may_be_off + 0x1p-52 * size};
     const double middle = (begin + end) / 2;
-    const Integral left = adaptive(f, begin, middle, may_be_off / 2, depth - 1),
-                   right = adaptive(f, middle, end, may_be_off / 2, depth - 1);
-    return {left.value + right.value, left.error + right.error};
+    Integral sum = adaptive(f, begin, middle, may_be_off / 2, depth - 1);
+    sum += adaptive(f, middle, end, may_be_off / 2, depth - 1);
+    return sum;
 }
 
 /// Sides u from p and v from q: (u . v) times the mean of ln r over both.

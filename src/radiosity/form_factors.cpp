@@ -119,13 +119,12 @@ PairFlux FormFactorMatrix::Implementation::better(const PairFlux& a, const PairF
 PairFlux FormFactorMatrix::Implementation::flux(const PolygonPair& pair, bool turned,
                                                 const std::function<void()>& pulse) const {
     PairFlux sum;
+    const QuadratureOptions each = quadrature(pair, pulse);
     const auto integrate = options.certified ? certified_flux : flux_between;
     for (const PiecePair& part : pair.pieces) {
-        const QuadratureResult result =
-            turned ? integrate(context, make_pair(context, part.light, part.receiver), quadrature(pair, pulse))
-                   : integrate(context, part, quadrature(pair, pulse));
-        sum.flux.value += result.visible.value;
-        sum.flux.error += result.visible.error;
+        const QuadratureResult result = turned ? integrate(context, make_pair(context, part.light, part.receiver), each)
+                                               : integrate(context, part, each);
+        sum.flux += result.visible;
         sum.evaluations += result.evaluations;
     }
     if (pair.smaller == pair.larger) sum.flux.value *= 2, sum.flux.error *= 2;  // each pair of pieces, both ways

@@ -16,12 +16,10 @@ SplitContour split_off_nearby_sides(const Contour& contour, const Triangle2D& ce
     const Point2D middle = centroid(cell);
     const Vector3<double> centre{middle.s, middle.t, 0};
     const double radius = reach(cell);
-    std::vector<Vector3<double>> around;
-    for (const Point2D& p : left_around(cell)) around.push_back({p.s, p.t, 0});
+    const std::vector<Vector3<double>> around = in_space(left_around(cell));
 
     SplitContour split;
-    split.others = split.light_sides = contour;
-    split.others.arcs.clear(), split.light_sides.arcs.clear();
+    split.others.sides = split.light_sides.sides = contour.sides;
     for (const ContourArc& arc : contour.arcs) {
         const auto& [a, b] = contour.sides[static_cast<std::size_t>(arc.side)];
         const bool comes_near = length(nearest_on_side(corner(a), corner(b), centre) - centre) < nearby * radius;

@@ -54,10 +54,8 @@ Polygon2D common_part(const Triangle2D& triangle, const Polygon2D& convex) {
             const Point2D &p = part[i], &q = part[(i + 1) % part.size()];
             const double side_p = turn({a, b, p}), side_q = turn({a, b, q});
             if (side_p >= 0) left.push_back(p);
-            if ((side_p > 0 && side_q < 0) || (side_p < 0 && side_q > 0)) {
-                const double f = side_p / (side_p - side_q);
-                left.push_back({p.s + f * (q.s - p.s), p.t + f * (q.t - p.t)});
-            }
+            if ((side_p > 0 && side_q < 0) || (side_p < 0 && side_q > 0))
+                left.push_back(mix(p, q, side_p / (side_p - side_q)));
         }
         part = std::move(left);
     }
@@ -83,8 +81,7 @@ PossibleShadows::PossibleShadows(const PairShapes& shapes, const std::vector<Cor
 }
 
 Integral PossibleShadows::unobstructed(const Polygon2D& polygon, double may_be_off) const {
-    Corners3D corners;
-    for (const Point2D& p : polygon) corners.push_back({p.s, p.t, 0});
+    const Corners3D corners = in_space(polygon);
     Integral sum;
     for (const Corners3D& light : lights_) sum += mutual_flux(corners, light, may_be_off);
     return sum;

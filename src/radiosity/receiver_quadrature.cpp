@@ -89,7 +89,7 @@ private:
     void evaluate(Cell& cell);
     static bool may_be_sampled(const Structure& structure);
     void sample_undecided(Cell& cell, const Structure& structure);
-    void choose_in_range(Cell& cell);
+    void choose_in_range(Cell& cell, const Structure& structure);
     void look(Cell cell);
     bool is_done() const;
 
@@ -140,8 +140,8 @@ double Cubature::misfit(const Structure& structure, Cell& cell) {
 
 /// Near a side what is seen varies on the scale of its distance, and a peak may stand between the points of a larger
 /// cell. So the places of the cell next to the ends of the sides and in between are looked at, and places from there
-/// towards the middle, for sides that touch the cell have no distance: where a value is beyond
-/// those at the points, by more than they vary, as much may be missed around, twice as far as it is away.
+/// towards the middle, for sides that touch the cell have no distance: where a value is beyond those at the points, by
+/// more than they vary, as much may be missed around, twice as far as it is away.
 template <class F>
 void Cubature::add_missed_peaks(const Triangle2D& cell, const SplitContour& split, const F& value_at, Parts& parts) {
     const Point2D centre = centroid(cell);
@@ -149,9 +149,10 @@ void Cubature::add_missed_peaks(const Triangle2D& cell, const SplitContour& spli
     for (const auto& [from, to] : split.rough) {
         const Vector3<double> a = integrand_.corner(from), b = integrand_.corner(to);
         double missed_visible = 0, missed_hidden = 0;
-        for (const Vector3<double>& p : {a, b, nearest_on_side(a, b, {centre.s, centre.t, 0})})
+        for (const Vector3<double>& p : {a, b, nearest_on_side(a, b, {centre.s, centre.t, 0})}) {
+            const Point2D nearest = nearest_in(cell, {p.x, p.y});
             for (const double f : {0.0, 0x1p-8, 0x1p-6, 0x1p-4, 0x1p-2}) {
-                const Point2D place = mix(nearest_in(cell, {p.x, p.y}), centre, f);
+                const Point2D place = mix(nearest, centre, f);
                 const double away = std::hypot(distance(place, {p.x, p.y}), p.z);
                 if (!(away < radius)) break;
                 const PointValue value = value_at(place);
@@ -163,6 +164,7 @@ void Cubature::add_missed_peaks(const Triangle2D& cell, const SplitContour& spli
                 missed_visible = std::max(missed_visible, missed(value.visible, parts.visible));
                 missed_hidden = std::max(missed_hidden, missed(value.unobstructed - value.visible, parts.hidden));
             }
+        }
         // What is hidden unnoticed is seen too little of.
         parts.visible.missed += std::max(missed_visible, missed_hidden), parts.hidden.missed += missed_hidden;
     }
@@ -246,9 +248,8 @@ void Cubature::sample_undecided(Cell& cell, const Structure& structure) {
 }
 
 /// As seen from the middle.
-void Cubature::choose_in_range(Cell& cell) {
-    const PointValue value =
-        integrand_.exact(centroid(cell.triangle), integrand_.structure(cell.triangle, cell.occluders));
+void Cubature::choose_in_range(Cell& cell, const Structure& structure) {
+    const PointValue value = integrand_.exact(centroid(cell.triangle), structure);
     ++evaluations_;
     const bool mostly_visible = value.visible >= value.unobstructed / 2;
     const double f = mostly_visible ? 1 - from_likelier_end : from_likelier_end;
@@ -284,9 +285,11 @@ QuadratureResult Cubature::run(const std::vector<Triangle2D>& triangles,
     }
     QuadratureResult result;
     for (Cell& cell : cells_) {
-        if (cell.range && error_ > options_.tolerance)
-            sample_undecided(cell, integrand_.structure(cell.triangle, cell.occluders));
-        if (cell.range) choose_in_range(cell);
+        if (cell.range) {
+            const Structure structure = integrand_.structure(cell.triangle, cell.occluders);
+            if (error_ > options_.tolerance) sample_undecided(cell, structure);
+            if (cell.range) choose_in_range(cell, structure);
+        }
         result.visible += cell.visible;
     }
     result.evaluations = evaluations_;
